@@ -1,0 +1,398 @@
+"""Ruled surfaces: a curve on the dual unit sphere and everything that follows from it.
+
+r(t, w) = m(t) + w x(t), with m the striction curve. The line X = x + ε x̄ at t comes from a curve
+(u(t), v(t)) in the chart of the unit sphere and two functions ū(u, v), v̄(u, v) (paper, §3).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+from . import closed
+from .checks import CYLINDRICAL, POLE, Array, GeometryError, finite_array
+from .dual import Dual
+from .field import Field, field
+from .jet import FLAGS, QUANTITIES, Jet, cross, dot, measure, striction, study
+from .line import Line
+from .series import Series
+
+__all__ = ["Curvature", "Curve", "Invariants", "RuledSurface", "Undefined"]
+
+BLOCK = 2048
+"""Values of t that are worked on at once: few enough to stay in the processor's cache."""
+
+
+class Curve(Protocol):
+    """A curve in the chart, such as `Bezier`."""
+
+    @property
+    def domain(self) -> tuple[float, float]:
+        """First and last t."""
+
+    @property
+    def batch_shape(self) -> tuple[int, ...]:
+        """Shape of a batch of curves, () for one."""
+
+    @property
+    def scale(self) -> Any:
+        """An ordinary size of the curve's speed, of the batch's shape."""
+
+    def series(self, t: Array, order: int) -> Series:
+        """Return u and v at t, with values of shape (2, *batch, *t.shape)."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Undefined:
+    """Where some values are NaN, and why.
+
+    Attributes
+    ----------
+    names
+        the quantities concerned.
+    where
+        True at the entries concerned; it has the shape of those values.
+    reason
+        one sentence.
+    """
+
+    names: tuple[str, ...]
+    where: npt.NDArray[np.bool_]
+    reason: str
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Invariants:
+    """The invariants of a ruled surface over t (paper, (3), (6), (8)).
+
+    Attributes
+    ----------
+    t
+        the parameter values as given.
+    kappa, kappa_bar
+        κ̂ = κ + ε κ̄ = ‖X′‖: radians and lengths per unit of t.
+    tau, tau_bar
+        τ̂ = τ + ε τ̄ = [X, X′, X″]/‖X′‖²: radians and lengths per unit of t.
+    sigma
+        the angle in [0, 2π) from x₁ to the striction curve's tangent, atan2(κ̄, τ̄).
+    delta
+        the distribution parameter κ̄/κ, a length.
+    kappa_prime, kappa_bar_prime
+        κ′ and κ̄′, derivatives by t.
+
+    All have the shape (*batch, *t.shape). What is undefined is NaN; see `undefined`.
+    """
+
+    t: Array
+    kappa: Array
+    kappa_bar: Array
+    tau: Array
+    tau_bar: Array
+    sigma: Array
+    delta: Array
+    kappa_prime: Array
+    kappa_bar_prime: Array
+    _flags: npt.NDArray[np.bool_]
+    _dual_part: str
+
+    @property
+    def undefined(self) -> tuple[Undefined, ...]:
+        """Which values are NaN, where and why; empty where all are defined."""
+        cylindrical, still, pole = (self._flags[FLAGS.index(name)] for name in FLAGS)
+        domain = np.isnan(self.tau_bar) & ~(cylindrical | pole)
+        reports = (
+            Undefined(
+                QUANTITIES,
+                pole,
+                "the curve meets a pole of the chart (sin v = 0), where u names no direction and "
+                "ū, v̄ belong to no one line; move the curve off the pole",
+            ),
+            Undefined(
+                QUANTITIES[1:],
+                cylindrical & ~pole,
+                "κ = 0: the ruling keeps its direction there (a cylindrical ruling), so nothing "
+                "that is measured against its turning is defined",
+            ),
+            Undefined(
+                ("sigma",),
+                still & ~pole,
+                "κ̄ = τ̄ = 0: the striction point rests there, its curve has no tangent to measure "
+                "σ by",
+            ),
+            Undefined(
+                ("kappa_bar", "tau_bar", "sigma", "delta", "kappa_bar_prime"),
+                domain,
+                f"{self._dual_part}: outside the domain of the formula, or not finite",
+            ),
+        )
+        return tuple(report for report in reports if report.where.any())
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Curvature:
+    """Gauss and mean curvature, each of shape (*batch, *t.shape, *w.shape)."""
+
+    gauss: Array
+    mean: Array
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class FundamentalForms:
+    """First and second fundamental form on the patch m + w x, and its unit normal.
+
+    ``g11 g12 g22`` and ``h11 h12 h22`` have the shape (*batch, *t.shape, *w.shape); ``normal`` has
+    one more axis of 3.
+    """
+
+    g11: Array
+    g12: Array
+    g22: Array
+    h11: Array
+    h12: Array
+    h22: Array
+    normal: Array
+
+
+class RuledSurface:
+    """The ruled surface of a curve in the sphere's chart and a choice of ū and v̄.
+
+    X(t) = x(û, v̂) with û = u(t) + ε ū(u(t), v(t)), v̂ = v(t) + ε v̄(u(t), v(t)) and
+    x(u, v) = (cos u sin v, sin u sin v, cos v) (paper, (16)).
+
+    Parameters
+    ----------
+    curve
+        u(t), v(t) in radians, such as `Bezier`; a batch of curves gives a batch of surfaces.
+    ubar, vbar
+        typed formulas in u and v such as ``"u - v"``, numbers, or callables of (u, v) made of
+        numpy's functions. Their unit is the unit of length of the surface.
+
+    Notes
+    -----
+    t may have any shape and any size; results have shape (*batch, *t.shape), vectors with a
+    further last axis of 3. Undefined values are NaN, never a warning.
+
+    Examples
+    --------
+    >>> from ruledlab import Bezier, RuledSurface
+    >>> helicoid = RuledSurface(Bezier([[0, 1.5707963267948966], [1, 1.5707963267948966]]), "u", 0)
+    >>> float(helicoid.invariants(0.25).delta)
+    1.0
+    """
+
+    __slots__ = ("_curve", "_ubar", "_vbar")
+
+    def __init__(self, curve: Curve, ubar: Any, vbar: Any) -> None:
+        if not hasattr(curve, "series"):
+            raise GeometryError(
+                f"`curve` must be a curve such as Bezier(points); got {type(curve).__name__}; "
+                "wrap control points as Bezier(points)"
+            )
+        self._curve = curve
+        self._ubar = field(ubar, "ubar")
+        self._vbar = field(vbar, "vbar")
+
+    @property
+    def curve(self) -> Curve:
+        """The curve (u(t), v(t))."""
+        return self._curve
+
+    @property
+    def ubar(self) -> Field:
+        """The choice of ū."""
+        return self._ubar
+
+    @property
+    def vbar(self) -> Field:
+        """The choice of v̄."""
+        return self._vbar
+
+    @property
+    def domain(self) -> tuple[float, float]:
+        """First and last t of the curve."""
+        return self._curve.domain
+
+    def __repr__(self) -> str:
+        return f"RuledSurface({self._curve!r}, ubar={self._ubar!r}, vbar={self._vbar!r})"
+
+    def jet(self, t: Array, order: int = 2) -> Jet:
+        """Return X and its derivatives by t, vectors along the third axis: see `Jet`."""
+        t = np.asarray(t, dtype=np.float64)
+        with np.errstate(all="ignore"):
+            angles = self._curve.series(t, order)
+            u, v = angles[0], angles[1]
+            rows = study(angles, self._ubar(u, v), self._vbar(u, v))
+            pole = np.abs(np.sin(v.value)) <= POLE
+        scale = np.reshape(self._curve.scale, self._curve.batch_shape + (1,) * t.ndim)
+        return Jet(rows, scale, pole)
+
+    # -- local quantities ------------------------------------------------------------------------
+
+    def invariants(self, t: npt.ArrayLike) -> Invariants:
+        """Return κ, κ̄, τ, τ̄, σ, δ, κ′ and κ̄′ at t."""
+        t = finite_array(t, "t")
+        values, flags = self._measured(t)
+        dual_part = f"ū = {self._ubar.text}, v̄ = {self._vbar.text}"
+        return Invariants(
+            t, **dict(zip(QUANTITIES, values, strict=True)), _flags=flags, _dual_part=dual_part
+        )
+
+    def _measured(self, t: Array) -> tuple[Array, npt.NDArray[np.bool_]]:
+        flat, batch = t.reshape(-1), self._curve.batch_shape
+        block = max(1, BLOCK // max(1, int(np.prod(batch))))
+        with np.errstate(all="ignore"):
+            if flat.size <= block:
+                values, flags = measure(self.jet(flat))
+            else:
+                values = np.empty((len(QUANTITIES), *batch, flat.size))
+                flags = np.empty((len(FLAGS), *batch, flat.size), dtype=bool)
+                for start in range(0, flat.size, block):
+                    part = slice(start, start + block)
+                    values[..., part], flags[..., part] = measure(self.jet(flat[part]))
+        shape = (*batch, *t.shape)
+        return values.reshape(-1, *shape), flags.reshape(-1, *shape)
+
+    def line(self, t: npt.ArrayLike) -> Line:
+        """Return the rulings X(t) as oriented lines: ``.direction``, ``.moment`` (…, 3).
+
+        Entries are NaN where ū or v̄ is undefined.
+        """
+        x, y = self.jet(finite_array(t, "t"), 0).rows[0]
+        return Line.unchecked(_last(x), _last(y))
+
+    def foot(self, t: npt.ArrayLike) -> Array:
+        """Return (…, 3) the point c = x × x̄ of each ruling nearest to the origin."""
+        x, y = self.jet(finite_array(t, "t"), 0).rows[0]
+        return _last(cross(x, y))
+
+    def striction(self, t: npt.ArrayLike) -> Array:
+        """Return (…, 3) the striction point m = c − (⟨x′, c′⟩/⟨x′, x′⟩) x; NaN where κ = 0."""
+        with np.errstate(all="ignore"):
+            return _last(striction(self.jet(finite_array(t, "t"), 1)))
+
+    def frame(self, t: npt.ArrayLike) -> Array:
+        """Return (…, 3, 3) the frame with rows x₁ = x, x₂ = x′/κ, x₃ = x₁ × x₂ (paper, (4)).
+
+        x₂ and x₃ are NaN where κ = 0. The three lines X₁, X₂, X₃ meet in the striction point.
+        """
+        jet = self.jet(finite_array(t, "t"), 1)
+        return _frame(jet)
+
+    # -- the patch -------------------------------------------------------------------------------
+
+    def points(self, t: npt.ArrayLike, w: npt.ArrayLike) -> Array:
+        """Return (…, *t.shape, *w.shape, 3) the points m(t) + w x(t); NaN where κ = 0."""
+        w = finite_array(w, "w")
+        jet = self.jet(finite_array(t, "t"), 1)
+        with np.errstate(all="ignore"):
+            m, x = _spread(striction(jet), w), _spread(jet.direction[0], w)
+            return _last(m + w * x)
+
+    def fundamental_forms(self, t: npt.ArrayLike, w: npt.ArrayLike) -> FundamentalForms:
+        """Return both fundamental forms and the unit normal on m + w x (paper, §2.4, mended).
+
+        With W² = κ̄² + w²κ²: n = (κ̄x₂ − wκx₃)/W, g₁₁ = τ̄² + W², g₁₂ = τ̄, g₂₂ = 1,
+        h₁₁ = [κ̄(κτ̄ + wκ′ − κ̄τ) − wκ(wκτ + κ̄′)]/W, h₁₂ = κκ̄/W, h₂₂ = 0.
+        NaN at W = 0: the striction point of a torsal ruling.
+        """
+        t, w = finite_array(t, "t"), finite_array(w, "w")
+        values, _ = self._measured(t)
+        frame = np.moveaxis(_frame(self.jet(t, 1)), (-2, -1), (0, 1))
+        k, kb, tau, tb, _, _, dk, dkb = (_spread(row, w) for row in values)
+        x2, x3 = _spread(frame[1], w), _spread(frame[2], w)
+        with np.errstate(all="ignore"):
+            size = _area(k, kb, w)
+            normal = (kb * x2 - w * k * x3) / size
+            h11 = (kb * (k * tb + w * dk - kb * tau) - w * k * (w * k * tau + dkb)) / size
+            h12 = k * kb / size
+        one = np.ones_like(size)
+        return FundamentalForms(tb**2 + size**2, tb * one, one, h11, h12, 0.0 * one, _last(normal))
+
+    def curvature(self, t: npt.ArrayLike, w: npt.ArrayLike) -> Curvature:
+        """Return Gauss curvature K and mean curvature H on m + w x.
+
+        K = −δ²/(δ² + w²)² and H = (h₁₁ − 2h₁₂τ̄)/(2W²); both NaN at W = 0. K ≤ 0 everywhere, and
+        of all points of a ruling |K| is greatest at the striction point.
+        """
+        t, w = finite_array(t, "t"), finite_array(w, "w")
+        values, _ = self._measured(t)
+        k, kb, tau, tb, _, _, dk, dkb = (_spread(row, w) for row in values)
+        with np.errstate(all="ignore"):
+            size = _area(k, kb, w)
+            gauss = -((k * kb / size**2) ** 2)
+            bend = kb * (w * dk - kb * tau - k * tb) - w * k * (w * k * tau + dkb)
+            return Curvature(gauss, bend / (2.0 * size**3))
+
+    # -- the whole surface -----------------------------------------------------------------------
+
+    def closure(self) -> closed.Closure:
+        """Say whether the surface closes, how smoothly, and what gap remains."""
+        return closed.closure(self._one("closure"))
+
+    def pitch(self) -> float:
+        """Return l = −∮⟨c′, x⟩ dt = −∮τ̄ dt, a length (paper, (10)).
+
+        It is how far along the ruling an orthogonal trajectory comes back after one turn.
+
+        Raises
+        ------
+        GeometryError
+            where the surface does not close, with the gap that remains.
+        """
+        return closed.pitch(self._one("pitch"))
+
+    def angle_of_pitch(self) -> float:
+        """Return λ = −∮τ dt in radians (paper, (25)).
+
+        The unit vector ξ = cos φ x₂ + sin φ x₃ that spans a developable turns by it in one turn.
+        A corner at the seam (C⁰ only) adds its own turn, which is not counted here.
+
+        Raises
+        ------
+        GeometryError
+            where the surface does not close, with the gap that remains.
+        """
+        return closed.angle_of_pitch(self._one("angle_of_pitch"))
+
+    def dual_angle_of_pitch(self) -> Dual:
+        """Return Λ = λ + ε l = −∮τ̂ dt."""
+        return closed.dual_angle_of_pitch(self._one("dual_angle_of_pitch"))
+
+    def arc_lengths(self) -> closed.ArcLengths:
+        """Return ∫κ, ∫κ̄, ∫τ, ∫τ̄, the dual length of X₃ and the length of the striction curve."""
+        return closed.arc_lengths(self._one("arc_lengths"))
+
+    def _one(self, method: str) -> RuledSurface:
+        if self._curve.batch_shape:
+            raise GeometryError(
+                f"`{method}` must be asked of one surface; got a batch of shape "
+                f"{self._curve.batch_shape}; build each from its own curve"
+            )
+        return self
+
+
+def _last(vectors: Array) -> Array:
+    """Move the entries of vectors from the first axis to the last."""
+    return np.moveaxis(vectors, 0, -1)
+
+
+def _spread(values: Array, w: Array) -> Array:
+    """Append axes for w."""
+    return values.reshape(values.shape + (1,) * w.ndim)
+
+
+def _frame(jet: Jet) -> Array:
+    x, x1 = jet.direction[:2]
+    with np.errstate(all="ignore"):
+        kappa = np.sqrt(dot(x1, x1))
+        x2 = x1 / np.where(kappa <= CYLINDRICAL * np.asarray(jet.scale), np.nan, kappa)
+    return np.stack([_last(x), _last(x2), _last(cross(x, x2))], axis=-2)
+
+
+def _area(kappa: Array, kappa_bar: Array, w: Array) -> Array:
+    """Return W = √(κ̄² + w²κ²), the area element; NaN where it vanishes."""
+    size = np.hypot(kappa_bar, w * kappa)
+    return np.where(size == 0.0, np.nan, size)

@@ -1,0 +1,526 @@
+"""The programs that draw a surface from its rulings (GLSL ES 1.00, also good as 3.00).
+
+Nothing here knows a formula of ruled surfaces but b + w x and its normal (b′ + w x′) × x. Vertices
+carry places, not positions; the positions come from the texture ``rulings``, whose column k holds
+ruling k. Its rows (xyz; alpha) are
+
+====  ========================  =========================================
+0     base b                    1 if b and x are finite, otherwise 0
+1     direction x               w at one end of the drawn ruling
+2     rate b′ of the base       w at the other end
+3     rate x′ of the direction  number of rulings
+4     striction point m         1 if m is finite, otherwise 0
+5     control direction k       1 if there is a k-th control point
+====  ========================  =========================================
+
+A direction that is not finite is 0. The texture may be wider than the number of rulings, and a
+mesh may have more rows than there are rulings: each row takes the nearest ruling, so that one mesh
+serves many sizes and the number of rulings changes together with the rulings themselves.
+
+The texture ``mark`` holds the cursor in one row: base (alpha: w at one end), x₁, x₂, x₃ and m
+(alpha: 1 if finite), then (chosen control point, arrow length, w at the other end).
+
+Lines are ribbons: their vertices are moved sideways in pixels after projection, because WebGL
+draws its own lines one pixel wide. A ribbon is clipped at the near plane before it is widened; a
+ruling that runs past the eye would otherwise turn inside out.
+"""
+
+from __future__ import annotations
+
+ROWS = 6
+MARKS = 6
+CONTROL_KIND, CURSOR_KIND, STUB_KIND = 0, 1, 2
+LINE_KIND, HEAD_KIND, DISC_KIND, LABEL_KIND = 0, 1, 2, 3
+
+_READ = f"""
+uniform highp sampler2D rulings;
+uniform highp sampler2D mark;
+uniform float columns;    // width of the texture
+uniform vec2 viewport;    // pixels
+const vec4 HIDDEN = vec4(2.0, 2.0, 2.0, 1.0);
+
+vec4 texel(float column, float row) {{
+  return texture2D(rulings, (vec2(column, row) + 0.5) / vec2(columns, {ROWS}.0));
+}}
+vec4 marked(float column) {{
+  return texture2D(mark, vec2((column + 0.5) / {MARKS}.0, 0.5));
+}}
+float columnAt(float fraction) {{
+  return floor(fraction * (texel(0.0, 3.0).a - 1.0) + 0.5);
+}}
+"""
+
+_WORLD = """
+uniform vec3 lens;        // shift of the picture in clip space, scale
+uniform float pull;       // how far towards the eye, as a part of the distance
+
+vec4 toEye(vec3 point) {
+  vec4 seen = modelViewMatrix * vec4(point, 1.0);
+  return vec4(seen.xyz * (1.0 - pull), 1.0);
+}
+vec4 toClip(vec4 seen) {
+  vec4 place = projectionMatrix * seen;
+  place.xy = place.xy * lens.z + lens.xy * place.w;
+  return place;
+}
+"""
+
+_RIBBON = """
+vec2 heading(vec4 from, vec4 to) {
+  vec2 way = (to.xy / to.w - from.xy / from.w) * viewport;
+  float size = length(way);
+  return size > 1e-4 ? way / size : vec2(1.0, 0.0);
+}
+vec4 moved(vec4 place, vec2 pixels) {
+  place.xy += 2.0 * pixels / viewport * place.w;
+  return place;
+}
+// corner = (0 or 1: which end, -1 or 1: which side); cap: how far past its ends, in half widths
+vec4 ribbon(vec4 from, vec4 to, vec2 corner, float halfWidth, float cap) {
+  vec2 way = heading(from, to);
+  vec2 past = cap * (2.0 * corner.x - 1.0) * way;
+  vec2 aside = corner.y * vec2(-way.y, way.x);
+  return moved(corner.x < 0.5 ? from : to, halfWidth * (past + aside));
+}
+"""
+
+_CLIPPED = """
+float frontPlane() {
+  return -1.001 * projectionMatrix[3][2] / (projectionMatrix[2][2] - 1.0);
+}
+// the part of an end point that lies before the eye; both are in eye coordinates, z < 0 in front
+vec4 before(vec4 end, vec4 other, float front) {
+  return end.z > front ? mix(end, other, (end.z - front) / (end.z - other.z)) : end;
+}
+vec4 worldRibbon(vec4 from, vec4 to, vec2 corner, float halfWidth, float cap) {
+  float front = frontPlane();
+  if (from.z > front && to.z > front) return HIDDEN;
+  vec4 a = toClip(before(from, to, front));
+  vec4 b = toClip(before(to, from, front));
+  return ribbon(a, b, corner, halfWidth, cap);
+}
+"""
+
+_GLOBE = """
+uniform vec3 globe;       // centre in clip space, radius in pixels
+vec3 turned(vec3 direction) {
+  return (viewMatrix * vec4(direction, 0.0)).xyz;
+}
+// the sphere has a thin slice of depth of its own, before everything else
+vec4 onGlobe(vec3 seen) {
+  return vec4(globe.xy + 2.0 * seen.xy * globe.z / viewport, -0.98 - 0.01 * seen.z, 1.0);
+}
+"""
+
+SURFACE_VERTEX = (
+    _READ
+    + _WORLD
+    + """
+attribute vec2 place;     // fraction along t, fraction along the ruling
+uniform sampler2D colours;
+uniform vec3 colouring;   // on or off, values per ruling, width of the texture
+varying vec3 vRate;
+varying vec3 vDirection;
+varying vec3 vSeen;
+varying vec2 vScalar;
+varying float vValid;
+
+// byte 0 stands for "undefined", 1 to 255 for the scale; four values share a texel
+vec2 scalar(float column, float index) {
+  float cell = floor(index / 4.0);
+  float part = index - 4.0 * cell;
+  vec4 four = texture2D(colours, (vec2(cell, column) + 0.5) / vec2(colouring.z, columns));
+  vec4 mine = 1.0 - step(0.5, abs(vec4(0.0, 1.0, 2.0, 3.0) - part));
+  float byte = floor(255.0 * dot(four, mine) + 0.5);
+  float known = step(0.5, byte);
+  return vec2(known * (byte - 1.0) / 254.0, known);
+}
+vec2 scalarAt(float column, float fraction) {
+  float index = fraction * (colouring.y - 1.0);
+  float low = min(floor(index), max(colouring.y - 2.0, 0.0));
+  return mix(scalar(column, low), scalar(column, min(low + 1.0, colouring.y - 1.0)), index - low);
+}
+void main() {
+  float column = columnAt(place.x);
+  vec4 base = texel(column, 0.0);
+  vec4 direction = texel(column, 1.0);
+  vec4 baseRate = texel(column, 2.0);
+  vec4 directionRate = texel(column, 3.0);
+  float w = mix(direction.a, baseRate.a, place.y);
+  vec4 seen = toEye(base.xyz + w * direction.xyz);
+  vRate = (modelViewMatrix * vec4(baseRate.xyz + w * directionRate.xyz, 0.0)).xyz;
+  vDirection = (modelViewMatrix * vec4(direction.xyz, 0.0)).xyz;
+  vSeen = seen.xyz;
+  vValid = base.a;
+  vScalar = colouring.x > 0.5 ? scalarAt(column, place.y) : vec2(0.0);
+  gl_Position = toClip(seen);
+}
+"""
+)
+
+SURFACE_FRAGMENT = """
+uniform vec3 frontColour;
+uniform vec3 backColour;
+uniform vec3 missingColour;
+uniform vec3 colouring;
+uniform float gloss;
+uniform sampler2D ramp;
+varying vec3 vRate;
+varying vec3 vDirection;
+varying vec3 vSeen;
+varying vec2 vScalar;
+varying float vValid;
+
+vec3 scaled(vec2 scalar) {
+  if (scalar.y < 0.5) return missingColour;
+  float value = clamp(scalar.x / scalar.y, 0.0, 1.0);
+  return texture2D(ramp, vec2((255.0 * value + 0.5) / 256.0, 0.5)).rgb;
+}
+void main() {
+  if (vValid < 0.999) discard;
+  vec3 normal = cross(vRate, vDirection);
+  normal /= max(length(normal), 1e-20);
+  vec3 view = normalize(-vSeen);
+  float facing = dot(normal, view);
+  float front = smoothstep(-0.03, 0.03, facing);
+  normal *= facing < 0.0 ? -1.0 : 1.0;
+  vec3 colour = mix(backColour, frontColour, front);
+  if (colouring.x > 0.5) colour = scaled(vScalar) * mix(0.78, 1.0, front);
+  vec3 key = normalize(vec3(-0.40, 0.62, 0.68));
+  float wrapped = 0.5 + 0.5 * dot(normal, key);
+  float shade = 0.50 + 0.56 * wrapped * wrapped + 0.10 * abs(facing);
+  float shine = gloss * pow(max(dot(normal, normalize(key + view)), 0.0), 36.0);
+  gl_FragColor = vec4(colour * shade + shine, 1.0);
+}
+"""
+
+_LINE_VERTEX = """
+attribute vec2 start;     // (fraction along t, fraction along the ruling) of either end
+attribute vec2 finish;
+attribute vec2 corner;
+uniform vec2 width;       // half widths in pixels: with the casing, without it
+uniform float cap;
+varying float vAcross;
+void main() {
+  vec2 from = vec2(columnAt(start.x), start.y);
+  vec2 to = vec2(columnAt(finish.x), finish.y);
+  vec4 a = site(from);
+  vec4 b = site(to);
+  vAcross = corner.y * width.x;
+  gl_Position = from == to || min(a.a, b.a) < 0.5 ? HIDDEN
+      : worldRibbon(toEye(a.xyz), toEye(b.xyz), corner, width.x, cap);
+}
+"""
+
+LATTICE_VERTEX = (
+    _READ
+    + _WORLD
+    + _RIBBON
+    + _CLIPPED
+    + """
+vec4 site(vec2 place) {   // (column, fraction along the ruling)
+  vec4 base = texel(place.x, 0.0);
+  vec4 direction = texel(place.x, 1.0);
+  float w = mix(direction.a, texel(place.x, 2.0).a, place.y);
+  return vec4(base.xyz + w * direction.xyz, base.a);
+}
+"""
+    + _LINE_VERTEX
+)
+
+STRICTION_VERTEX = (
+    _READ
+    + _WORLD
+    + _RIBBON
+    + _CLIPPED
+    + """
+vec4 site(vec2 place) {
+  return texel(place.x, 4.0);
+}
+"""
+    + _LINE_VERTEX
+)
+
+LINE_FRAGMENT = """
+uniform vec3 colour;
+uniform vec3 casing;
+uniform vec2 width;
+uniform float strength;
+varying float vAcross;
+void main() {
+  float edge = smoothstep(width.y - 0.5, width.y + 0.5, abs(vAcross));
+  float rim = 1.0 - smoothstep(width.x - 1.0, width.x, abs(vAcross));
+  gl_FragColor = vec4(mix(colour, casing, edge), strength * rim);
+}
+"""
+
+MARK_VERTEX = (
+    _READ
+    + _WORLD
+    + _RIBBON
+    + _CLIPPED
+    + f"""
+attribute vec2 part;      // which of the marks: 0 the ruling, 1 to 3 the frame, 4 the point; kind
+attribute vec2 corner;
+uniform vec3 cursorColour;
+uniform vec3 secondColour;
+uniform vec3 thirdColour;
+uniform vec3 pointColour;
+varying vec3 vColour;
+varying vec2 vCorner;
+varying vec2 vKind;       // kind, which
+const float HEAD = 11.0;  // pixels
+const float DISC = 6.5;
+const float LABEL = 9.0;
+
+vec3 colourOf(float item) {{
+  if (item < 1.5) return cursorColour;
+  if (item < 2.5) return secondColour;
+  return item < 3.5 ? thirdColour : pointColour;
+}}
+vec4 head(vec4 from, vec4 to) {{
+  vec4 a = toClip(from);
+  vec4 b = toClip(to);
+  vec2 way = heading(a, b);
+  vec2 back = -HEAD * (1.0 - corner.x) * way;
+  return moved(b, back + 5.5 * (1.0 - corner.x) * corner.y * vec2(-way.y, way.x));
+}}
+vec4 label(vec4 from, vec4 to) {{
+  vec4 a = toClip(from);
+  vec4 b = toClip(to);
+  return moved(b, 13.0 * heading(a, b) + LABEL * corner * vec2(1.25, 1.0));
+}}
+vec4 arrow(float item, float kind, vec3 origin) {{
+  vec3 tip = origin + marked(5.0).y * marked(item).xyz;
+  vec4 from = toEye(origin);
+  vec4 to = toEye(tip);
+  if (max(from.z, to.z) > frontPlane()) return HIDDEN;
+  if (kind < {LINE_KIND}.5) {{
+    vec4 end = toClip(to);
+    vec2 way = heading(toClip(from), end);
+    vec4 neck = moved(end, -0.8 * HEAD * way);
+    return ribbon(toClip(from), neck, corner, 2.2, 0.0);
+  }}
+  return kind < {HEAD_KIND}.5 ? head(from, to) : label(from, to);
+}}
+vec4 ruling() {{
+  vec4 base = marked(0.0);
+  vec3 direction = marked(1.0).xyz;
+  vec4 from = toEye(base.xyz + base.a * direction);
+  vec4 to = toEye(base.xyz + marked(5.0).z * direction);
+  return worldRibbon(from, to, corner, 3.0, 0.0);
+}}
+vec4 placed(float item, float kind) {{
+  vec4 point = marked(4.0);
+  if (item < 0.5) return marked(1.0).a < 0.5 ? HIDDEN : ruling();
+  if (point.a < 0.5) return HIDDEN;
+  vec4 seen = toEye(point.xyz);
+  if (item > 3.5) return seen.z > frontPlane() ? HIDDEN : moved(toClip(seen), DISC * corner);
+  return marked(item).a < 0.5 ? HIDDEN : arrow(item, kind, point.xyz);
+}}
+void main() {{
+  vColour = colourOf(part.x);
+  vCorner = corner;
+  vKind = vec2(part.y, part.x);
+  gl_Position = placed(part.x, part.y);
+}}
+"""
+)
+
+MARK_FRAGMENT = f"""
+uniform vec3 casing;
+uniform float strength;
+uniform sampler2D letters;
+varying vec3 vColour;
+varying vec2 vCorner;
+varying vec2 vKind;
+
+void disc() {{
+  float radius = length(vCorner);
+  float inside = 1.0 - smoothstep(0.85, 1.0, radius);
+  if (inside < 0.02) discard;
+  gl_FragColor = vec4(mix(vColour, casing, smoothstep(0.58, 0.74, radius)), strength * inside);
+}}
+void label() {{
+  vec2 place = vec2((vKind.y - 1.0 + 0.5 + 0.5 * vCorner.x) / 3.0, 0.5 - 0.5 * vCorner.y);
+  float far = texture2D(letters, place).a;
+  float halo = smoothstep(0.28, 0.52, far);
+  if (halo < 0.02) discard;
+  gl_FragColor = vec4(mix(casing, vColour, smoothstep(0.66, 0.80, far)), strength * halo);
+}}
+void main() {{
+  if (vKind.x > {DISC_KIND}.5) {{ label(); return; }}
+  if (vKind.x > {HEAD_KIND}.5) {{ disc(); return; }}
+  bool cased = vKind.y < 0.5;
+  float edge = cased ? smoothstep(0.60, 0.84, abs(vCorner.y)) : 0.0;
+  gl_FragColor = vec4(mix(vColour, casing, edge), strength);
+}}
+"""
+
+GLOBE_VERTEX = (
+    _READ
+    + _GLOBE
+    + """
+attribute vec2 corner;
+varying vec2 vDisc;
+void main() {
+  vDisc = 1.06 * corner;
+  gl_Position = vec4(globe.xy + 2.0 * vDisc * globe.z / viewport, -0.96, 1.0);
+}
+"""
+)
+
+GLOBE_FRAGMENT = """
+uniform vec3 globe;
+uniform vec3 fill;
+uniform vec3 gridColour;
+uniform vec3 ink;
+varying vec2 vDisc;
+
+vec3 unturned(vec3 seen) {
+  return (vec4(seen, 0.0) * viewMatrix).xyz;
+}
+float stroke(float angle, float halfWidth) {
+  float pixels = abs(angle) * globe.z;
+  return 1.0 - smoothstep(halfWidth - 0.5, halfWidth + 0.7, pixels);
+}
+// meridians and parallels every 30 degrees, the equator and u = 0 a little stronger, the poles
+vec2 net(vec3 seen) {
+  vec3 at = unturned(seen);
+  float away = length(at.xy);
+  float longitude = atan(at.y, at.x);
+  float latitude = atan(at.z, away);
+  float step30 = 0.5235987756;
+  float slant = max(abs(seen.z), 0.25);
+  float u = (longitude - step30 * floor(longitude / step30 + 0.5)) * away;
+  float v = latitude - step30 * floor(latitude / step30 + 0.5);
+  float thin = max(stroke(u * slant, 0.3), stroke(v * slant, 0.3)) * smoothstep(0.03, 0.3, away);
+  float zero = at.x > 0.0 ? stroke(at.y, 0.6) : 0.0;
+  return vec2(max(0.55 * thin, max(zero, stroke(latitude * slant, 0.6))), stroke(away, 2.6));
+}
+void main() {
+  float radius = length(vDisc);
+  float inside = 1.0 - smoothstep(globe.z - 0.5, globe.z + 0.9, radius * globe.z);
+  if (inside < 0.01) discard;
+  float depth = sqrt(max(1.0 - radius * radius, 0.0));
+  vec3 seen = vec3(vDisc, depth);
+  vec2 front = net(seen);
+  vec2 back = net(vec3(vDisc, -depth));
+  float light = 0.5 + 0.5 * dot(seen, normalize(vec3(-0.40, 0.62, 0.68)));
+  vec3 colour = fill * (0.86 + 0.14 * light);
+  colour = mix(colour, gridColour, 0.28 * back.x);
+  colour = mix(colour, ink, 0.20 * back.y);
+  colour = mix(colour, gridColour, 0.85 * front.x);
+  colour = mix(colour, ink, 0.85 * front.y);
+  float rim = smoothstep(globe.z - 2.2, globe.z - 0.6, radius * globe.z);
+  colour = mix(colour, gridColour, rim);
+  gl_FragColor = vec4(colour, 0.93 * inside);
+}
+"""
+
+IMAGE_VERTEX = (
+    _READ
+    + _RIBBON
+    + _GLOBE
+    + """
+attribute vec2 start;
+attribute vec2 finish;
+attribute vec2 corner;
+uniform vec2 width;
+varying float vAcross;
+varying float vNear;
+void main() {
+  float first = columnAt(start.x);
+  float second = columnAt(finish.x);
+  vec3 a = turned(texel(first, 1.0).xyz);
+  vec3 b = turned(texel(second, 1.0).xyz);
+  bool valid = first != second && min(dot(a, a), dot(b, b)) > 0.25;
+  vAcross = corner.y * width.x;
+  vNear = corner.x < 0.5 ? a.z : b.z;
+  gl_Position = valid ? ribbon(onGlobe(a), onGlobe(b), corner, width.x, 0.6) : HIDDEN;
+}
+"""
+)
+
+IMAGE_FRAGMENT = """
+uniform vec3 colour;
+uniform vec3 fill;
+uniform vec2 width;
+varying float vAcross;
+varying float vNear;
+void main() {
+  float rim = 1.0 - smoothstep(width.x - 1.0, width.x, abs(vAcross));
+  float dim = 0.66 * (1.0 - smoothstep(-0.06, 0.06, vNear));
+  gl_FragColor = vec4(mix(colour, fill, dim), rim);
+}
+"""
+
+POINTS_VERTEX = (
+    _READ
+    + _RIBBON
+    + _GLOBE
+    + f"""
+attribute vec2 part;      // index of the control point, kind
+attribute vec2 corner;
+varying vec2 vCorner;
+varying vec4 vLook;       // radius in pixels, chosen, kind, depth
+const float PLAIN = 4.2;
+const float CHOSEN = 7.5;
+
+vec4 control(float index) {{
+  vec4 point = texel(index, 5.0);
+  if (index > columns - 0.5 || point.a < 0.5) return HIDDEN;
+  float chosen = 1.0 - step(0.5, abs(index - marked(5.0).x));
+  vec3 seen = turned(point.xyz);
+  vLook = vec4(mix(PLAIN, CHOSEN, chosen), chosen, {CONTROL_KIND}.0, seen.z);
+  return moved(onGlobe(seen), vLook.x * corner);
+}}
+vec4 cursor(vec3 seen) {{
+  vLook = vec4(5.0, 0.0, {CURSOR_KIND}.0, seen.z);
+  return moved(onGlobe(seen), vLook.x * corner);
+}}
+vec4 stub(vec3 seen) {{
+  vLook = vec4(1.6, 0.0, {STUB_KIND}.0, seen.z);
+  return ribbon(onGlobe(seen), onGlobe(1.3 * seen), corner, vLook.x, 0.0);
+}}
+void main() {{
+  vec4 direction = marked(1.0);
+  vCorner = corner;
+  vLook = vec4(0.0);
+  if (part.y < {CONTROL_KIND}.5) gl_Position = control(part.x);
+  else if (direction.a < 0.5) gl_Position = HIDDEN;
+  else if (part.y < {CURSOR_KIND}.5) gl_Position = cursor(turned(direction.xyz));
+  else gl_Position = stub(turned(direction.xyz));
+}}
+"""
+)
+
+POINTS_FRAGMENT = f"""
+uniform vec3 fill;
+uniform vec3 casing;
+uniform vec3 ink;
+uniform vec3 chosenColour;
+uniform vec3 cursorColour;
+varying vec2 vCorner;
+varying vec4 vLook;
+
+vec3 control(float pixels) {{
+  if (vLook.y < 0.5) return mix(ink, casing, smoothstep(2.6, 3.4, pixels));
+  float ring = smoothstep(4.4, 5.0, pixels) * (1.0 - smoothstep(6.4, 7.0, pixels));
+  vec3 colour = mix(chosenColour, casing, smoothstep(3.6, 4.2, pixels));
+  return mix(colour, chosenColour, ring);
+}}
+void main() {{
+  float dim = 0.62 * (1.0 - smoothstep(-0.06, 0.06, vLook.w));
+  if (vLook.z > {CURSOR_KIND}.5) {{
+    gl_FragColor = vec4(mix(cursorColour, fill, dim), 1.0);
+    return;
+  }}
+  float pixels = length(vCorner) * vLook.x;
+  float inside = 1.0 - smoothstep(vLook.x - 0.9, vLook.x, pixels);
+  if (inside < 0.02) discard;
+  vec3 colour = vLook.z < {CONTROL_KIND}.5 ? control(pixels)
+      : mix(cursorColour, casing, smoothstep(3.3, 4.1, pixels));
+  gl_FragColor = vec4(mix(colour, fill, dim), inside);
+}}
+"""

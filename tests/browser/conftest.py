@@ -1,0 +1,59 @@
+"""Fixtures for tests in a real browser; see `session`."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from .session import ARTIFACTS, REQUIRE, LabSession, lab_session, why_not
+
+HERE = Path(__file__).resolve().parent
+SESSION = pytest.StashKey[LabSession]()
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        if HERE in item.path.parents:
+            item.add_marker(pytest.mark.browser)
+            # one browser at a time, whatever the number of workers
+            item.add_marker(pytest.mark.xdist_group("browser"))
+
+
+@pytest.fixture(scope="session")
+def lab(
+    tmp_path_factory: pytest.TempPathFactory, request: pytest.FixtureRequest
+) -> Iterator[LabSession]:
+    """JupyterLab in Chromium; skips with the reason, or fails if a browser is required."""
+    if reason := why_not():
+        if os.environ.get(REQUIRE) == "1":
+            pytest.fail(f"{REQUIRE}=1, but {reason}", pytrace=False)
+        pytest.skip(reason)
+    scratch = tmp_path_factory.mktemp("jupyterlab")
+    try:
+        with lab_session(scratch) as session:
+            request.config.stash[SESSION] = session
+            yield session
+    finally:
+        ARTIFACTS.mkdir(exist_ok=True)
+        with suppress(OSError):
+            shutil.copyfile(scratch / "jupyterlab.log", ARTIFACTS / "jupyterlab.log")
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[Any]) -> Any:
+    """Keep a picture of every open notebook when a test fails."""
+    report = yield
+    session = item.config.stash.get(SESSION, None)
+    if report.when == "call" and report.failed and session is not None:
+        for number, page in enumerate(session.pages):
+            name = re.sub(r"[^\w-]+", "-", f"failed-{item.name}-{number}")
+            with suppress(Exception):  # the picture is a help, not the finding
+                report.sections.append(("screenshot", str(page.screenshot(name))))
+    return report

@@ -1,0 +1,462 @@
+"""A real JupyterLab in a real Chromium, for tests.
+
+`LabSession` starts one server and one browser; `LabSession.open_notebook` gives a `NotebookPage`
+that runs cells, moves controls and looks at pixels. The notebook is copied first, so a lesson in
+the tree is never written to.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:  # only here: without playwright these tests are skipped, not broken
+    from playwright.sync_api import Browser, BrowserContext, Locator, Page
+
+ARTIFACTS = Path(__file__).resolve().parents[2] / "artifacts"
+REQUIRE = "RULEDLAB_REQUIRE_BROWSER"
+CHROMIUM = "RULEDLAB_CHROMIUM"
+CHROMIUM_NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+
+# WebGL drawn by the processor: the same pixels on every machine, no graphics card needed
+CHROMIUM_ARGUMENTS = (
+    "--use-gl=angle",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--ignore-gpu-blocklist",
+    "--no-sandbox",
+    "--no-first-run",
+    "--disable-quic",
+    "--disable-sync",
+    "--disable-background-networking",
+    "--disable-component-update",
+)
+
+# Lines in the browser's console that are others' and do no harm
+KNOWN_CONSOLE_LINES = (
+    r"Error setting state: \w+\.on is not a function",  # pythreejs, while its models settle
+    r"Unsatisfied version .* of shared (singleton )?module @lumino/coreutils",
+    r"Cannot read properties of undefined \(reading 'schema'\)",  # Notebook 7
+)
+
+THREE = ".jupyter-threejs canvas"
+KERNEL = "window.jupyterapp.shell.currentWidget.sessionContext.session.kernel"
+
+ERRORS = (
+    '.jp-OutputArea-output[data-mime-type="application/vnd.jupyter.stderr"]',
+    '.jp-OutputArea-output [data-mime-type="application/vnd.jupyter.error"]',
+    '.jp-OutputArea-output[data-mime-type="application/vnd.jupyter.error"]',
+)
+
+EXECUTE = f"""async code => {{
+  const future = {KERNEL}.requestExecute({{code, store_history: false}});
+  const said = {{text: '', error: null}};
+  future.onIOPub = ({{header, content}}) => {{
+    if (header.msg_type === 'stream') said.text += content.text;
+    if (header.msg_type === 'execute_result') said.text += content.data['text/plain'];
+    if (header.msg_type === 'error') said.error = content.ename + ': ' + content.evalue;
+  }};
+  await future.done;
+  return said;
+}}"""
+
+# A fingerprint of what an element shows: the pixels of a canvas or an image, the markup of an SVG.
+# A canvas is copied, not asked for its context: asking would make one of the wrong kind. A WebGL
+# canvas must keep its drawing buffer for that, as pythreejs' does.
+# `drawn` counts what differs from the first pixel (elements, for an SVG): 0 is an empty picture.
+FINGERPRINT = """node => {
+  const kind = node.tagName.toLowerCase(), picture = kind === 'canvas' || kind === 'img';
+  const box = node.getBoundingClientRect();
+  const width = picture ? node.naturalWidth ?? node.width : Math.round(box.width);
+  const height = picture ? node.naturalHeight ?? node.height : Math.round(box.height);
+  const hash = values => values.reduce((h, x) => Math.imul(h ^ x, 0x01000193) >>> 0, 0x811c9dc5);
+  if (!picture) {
+    const markup = new TextEncoder().encode(node.outerHTML);
+    return {drawn: node.querySelectorAll('*').length, hash: hash(markup), width, height};
+  }
+  if (!width || !height) return {drawn: 0, hash: 0, width, height};
+  const copy = new OffscreenCanvas(width, height).getContext('2d', {willReadFrequently: true});
+  copy.drawImage(node, 0, 0);
+  const pixels = new Uint32Array(copy.getImageData(0, 0, width, height).data.buffer);
+  const drawn = pixels.reduce((n, x) => n + (x !== pixels[0]), 0);
+  return {drawn, hash: hash(pixels), width, height};
+}"""
+
+
+def find_chromium() -> str | None:
+    """The browser: `RULEDLAB_CHROMIUM`, one on the path, or playwright's own."""
+    if named := os.environ.get(CHROMIUM):
+        return named if os.access(named, os.X_OK) else None
+    for name in CHROMIUM_NAMES:
+        if path := shutil.which(name):
+            return path
+    return _playwrights_own()
+
+
+def _playwrights_own() -> str | None:
+    if find_spec("playwright") is None:
+        return None
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        path = playwright.chromium.executable_path
+    return path if os.path.exists(path) else None
+
+
+def why_not() -> str | None:
+    """Why browser tests cannot run here, or None if they can."""
+    for module in ("jupyterlab", "playwright"):
+        if find_spec(module) is None:
+            return f"{module} is not installed"
+    if find_chromium() is None:
+        return f"no Chromium found: install one, or name it by {CHROMIUM}"
+    return None
+
+
+# ------------------------------------------------------------------------------------ the server
+
+
+def _free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
+
+
+def _server_command(root: Path, port: int) -> list[str]:
+    return [
+        *(sys.executable, "-m", "jupyterlab", "--allow-root", "--no-browser"),
+        *(f"--port={port}", "--ServerApp.ip=127.0.0.1", "--ServerApp.port_retries=0"),
+        *("--IdentityProvider.token=", "--ServerApp.password="),
+        *("--ServerApp.disable_check_xsrf=True", f"--ServerApp.root_dir={root}"),
+        *("--LabApp.expose_app_in_browser=True", "--LabApp.news_url=None"),
+        "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate",
+    ]
+
+
+def _server_environment(scratch: Path) -> dict[str, str]:
+    """Nobody's settings but the defaults. Extensions are found beside the interpreter."""
+    no_question = {"@jupyterlab/apputils-extension:notification": {"fetchNews": "false"}}
+    defaults = scratch / "config" / "labconfig" / "default_setting_overrides.json"
+    defaults.parent.mkdir(parents=True)
+    defaults.write_text(json.dumps(no_question))  # else one about news covers part of the page
+    own = {
+        "JUPYTER_CONFIG_DIR": "config",
+        "JUPYTER_RUNTIME_DIR": "runtime",
+        "JUPYTERLAB_SETTINGS_DIR": "settings",
+        "JUPYTERLAB_WORKSPACES_DIR": "workspaces",
+        "IPYTHONDIR": "ipython",
+    }
+    return {**os.environ, **{name: str(scratch / folder) for name, folder in own.items()}}
+
+
+@contextmanager
+def jupyterlab_server(root: Path, scratch: Path) -> Iterator[str]:
+    """Serve `root` without a token on this machine alone; yield the address, end the server."""
+    port, log = _free_port(), scratch / "jupyterlab.log"
+    with log.open("w") as output:
+        server = subprocess.Popen(
+            _server_command(root, port),
+            env=_server_environment(scratch),
+            stdin=subprocess.DEVNULL,
+            stdout=output,
+            stderr=subprocess.STDOUT,
+        )
+    try:
+        url = f"http://127.0.0.1:{port}"
+        _wait_for_server(server, url, log)
+        yield url
+    finally:
+        server.terminate()  # it ends its kernels, too
+        try:
+            server.wait(15)
+        except subprocess.TimeoutExpired:
+            server.kill()
+            server.wait()
+
+
+def _wait_for_server(server: subprocess.Popen[bytes], url: str, log: Path) -> None:
+    end = time.monotonic() + 60
+    while time.monotonic() < end:
+        if server.poll() is not None:
+            break
+        try:
+            with urllib.request.urlopen(f"{url}/api/status", timeout=1):
+                return
+        except OSError:
+            time.sleep(0.1)
+    raise RuntimeError(f"JupyterLab did not start:\n{log.read_text()[-3000:]}")
+
+
+# -------------------------------------------------------------------------------------- the page
+
+
+@dataclass(frozen=True, slots=True)
+class Pixels:
+    """A fingerprint of a picture; equal fingerprints mean equal pictures."""
+
+    drawn: int
+    hash: int
+    width: int
+    height: int
+
+
+class KernelError(AssertionError):
+    """Code run by `NotebookPage.kernel_exec` raised."""
+
+
+@dataclass(eq=False)
+class NotebookPage:
+    """One open notebook."""
+
+    page: Page
+    name: str
+    _console: list[str] = field(default_factory=list)
+
+    # --- cells and the kernel
+
+    def run_all(self, timeout: float = 120) -> list[str]:
+        """Run every cell; return what went to stderr and every error shown."""
+        self.wait_idle(timeout)
+        self.page.set_default_timeout(timeout * 1e3)
+        # the promise is kept when the last cell has finished
+        self.page.evaluate(
+            "() => window.jupyterapp.commands.execute('notebook:run-all-cells').then(() => null)"
+        )
+        self.wait_idle(timeout)
+        return self.errors()
+
+    def errors(self) -> list[str]:
+        """Every error and every line of stderr the notebook shows now."""
+        return self.page.locator(", ".join(ERRORS)).all_inner_texts()
+
+    def wait_idle(self, timeout: float = 60) -> None:
+        """Wait until the kernel has nothing to do."""
+        idle = f"() => {{ try {{ return {KERNEL}.status === 'idle' }} catch {{ return false }} }}"
+        self.page.wait_for_function(idle, timeout=timeout * 1e3)
+
+    def kernel_exec(self, code: str) -> str:
+        """Run `code` in the notebook's kernel; return what it printed and its last value."""
+        said = self.page.evaluate(EXECUTE, code)
+        if said["error"]:
+            raise KernelError(said["error"])
+        return str(said["text"])
+
+    def wait_kernel(self, code: str, value: str, timeout: float = 10) -> None:
+        """Wait until `code` says `value`: what a control sends arrives a moment later."""
+        end, said = time.monotonic() + timeout, None
+        while time.monotonic() < end:
+            if (said := self.kernel_exec(code)) == value:
+                return
+            self.page.wait_for_timeout(50)
+        raise AssertionError(f"{code} is {said}, not {value}, after {timeout} s")
+
+    # --- pictures
+
+    def locator(self, target: str | Locator, nth: int = 0) -> Locator:
+        """The `nth` element for a CSS selector (or playwright's own kind); a locator as it is."""
+        return self.page.locator(target).nth(nth) if isinstance(target, str) else target
+
+    def pixels(self, target: str | Locator = THREE, nth: int = 0) -> Pixels:
+        """A fingerprint of a WebGL or 2D canvas, an img, or an SVG (its markup)."""
+        return Pixels(**self.locator(target, nth).evaluate(FINGERPRINT))
+
+    def wait_still(
+        self,
+        target: str | Locator = THREE,
+        nth: int = 0,
+        *,
+        timeout: float = 15,
+        quiet: float = 0.3,
+    ) -> Pixels:
+        """Wait until something is drawn and has not changed for `quiet` seconds."""
+        blank = Pixels(0, 0, 0, 0)
+        return self.wait_change(blank, target, nth, timeout=timeout, quiet=quiet)
+
+    def wait_change(
+        self,
+        old: Pixels,
+        target: str | Locator = THREE,
+        nth: int = 0,
+        *,
+        timeout: float = 10,
+        quiet: float = 0.15,
+    ) -> Pixels:
+        """Wait until the picture differs from `old` and is still for `quiet` seconds."""
+        element = self.locator(target, nth)
+        element.wait_for(state="attached", timeout=timeout * 1e3)
+        end, last, since = time.monotonic() + timeout, old, 0.0
+        while (now := time.monotonic()) < end:
+            seen = self.pixels(element)
+            if seen != last:
+                last, since = seen, now
+            elif last != old and last.drawn and now - since >= quiet:
+                return last
+            self.page.wait_for_timeout(20)
+        raise AssertionError(f"{target} did not change and settle within {timeout} s: {last}")
+
+    def stays(
+        self, old: Pixels, target: str | Locator = THREE, nth: int = 0, *, over: float = 1.0
+    ) -> bool:
+        """Whether the picture is the same as `old` all through `over` seconds."""
+        end = time.monotonic() + over
+        while time.monotonic() < end:
+            if self.pixels(target, nth) != old:
+                return False
+            self.page.wait_for_timeout(50)
+        return True
+
+    def screenshot(self, name: str) -> Path:
+        """Write ``artifacts/<name>.png``."""
+        ARTIFACTS.mkdir(exist_ok=True)
+        path = ARTIFACTS / f"{name}.png"
+        self.page.screenshot(path=str(path))
+        return path
+
+    # --- hands
+
+    def press(self, target: str | Locator, key: str, times: int = 1, nth: int = 0) -> None:
+        """Focus an element and press a key."""
+        element = self.locator(target, nth)
+        element.scroll_into_view_if_needed()
+        element.focus()
+        for _ in range(times):
+            self.page.keyboard.press(key)
+
+    def move_slider(self, steps: int = 1, nth: int = 0) -> None:
+        """Move the `nth` slider of ipywidgets by arrow keys."""
+        key = "ArrowRight" if steps > 0 else "ArrowLeft"
+        self.press(".widget-slider .noUi-handle", key, abs(steps), nth)
+
+    def type_into(self, target: str | Locator, text: str, nth: int = 0, enter: bool = True) -> None:
+        """Replace the text of a field, as a reader would, and press Enter."""
+        element = self.locator(target, nth)
+        element.scroll_into_view_if_needed()
+        element.click()
+        self.page.keyboard.press("ControlOrMeta+a")
+        self.page.keyboard.type(text)
+        if enter:
+            self.page.keyboard.press("Enter")
+
+    def drag(
+        self, target: str | Locator, by: tuple[float, float], *, steps: int = 8, nth: int = 0
+    ) -> None:
+        """Drag an element from its middle by so many pixels (right, down)."""
+        element = self.locator(target, nth)
+        element.scroll_into_view_if_needed()
+        box = element.bounding_box()
+        assert box is not None, f"{target} is not visible"
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        self.page.mouse.move(x, y)
+        self.page.mouse.down()
+        self.page.mouse.move(x + by[0], y + by[1], steps=steps)
+        self.page.mouse.up()
+
+    # --- the console
+
+    @property
+    def console_errors(self) -> list[str]:
+        """Errors in the browser's console that are not among the known ones."""
+        known = re.compile("|".join(KNOWN_CONSOLE_LINES))
+        return [line for line in self._console if not known.search(line)]
+
+
+# ----------------------------------------------------------------------------------- the session
+
+
+@dataclass(eq=False)
+class LabSession:
+    """One JupyterLab and one browser; each notebook gets a page of its own."""
+
+    url: str
+    root: Path
+    browser: Browser
+    viewport: tuple[int, int] = (1400, 1000)
+    _open: dict[str, tuple[NotebookPage, BrowserContext]] = field(default_factory=dict)
+
+    @property
+    def pages(self) -> list[NotebookPage]:
+        """The notebooks that are open."""
+        return [page for page, _ in self._open.values()]
+
+    def open_notebook(self, path: Path, **context: Any) -> NotebookPage:
+        """Open a copy of the notebook at `path`; `context` goes to playwright's new_context."""
+        name = f"{len(list(self.root.iterdir())):02d}-{path.name}"
+        shutil.copyfile(path, self.root / name)
+        width, height = self.viewport
+        options = {"viewport": {"width": width, "height": height}, **context}
+        browser_context = self.browser.new_context(**options)
+        page = browser_context.new_page()
+        notebook = NotebookPage(page, name)
+        self._open[name] = (notebook, browser_context)
+        page.on("console", lambda said: _note(notebook, said.type, said.text))
+        page.on("pageerror", lambda error: _note(notebook, "error", str(error)))
+        page.goto(f"{self.url}/lab/tree/{name}?reset", wait_until="domcontentloaded")
+        ready = "() => window.jupyterapp && document.querySelector('.jp-Notebook .jp-Cell')"
+        page.wait_for_function(ready, timeout=60_000)
+        page.evaluate("() => window.jupyterapp.restored.then(() => null)")
+        return notebook
+
+    @contextmanager
+    def notebook(self, path: Path, **context: Any) -> Iterator[NotebookPage]:
+        """Open a notebook for the length of a block."""
+        opened = self.open_notebook(path, **context)
+        try:
+            yield opened
+        finally:
+            self.close(opened)
+
+    def close(self, notebook: NotebookPage) -> None:
+        """Close a notebook's page and end its kernel."""
+        _, context = self._open.pop(notebook.name)
+        context.close()
+        for session in self._api("GET", "sessions"):
+            if session["path"] == notebook.name:
+                self._api("DELETE", f"sessions/{session['id']}")
+
+    def close_all(self) -> None:
+        """Close every notebook that is still open."""
+        for notebook in self.pages:
+            self.close(notebook)
+
+    def _api(self, method: str, path: str) -> list[Mapping[str, Any]]:
+        request = urllib.request.Request(f"{self.url}/api/{path}", method=method)
+        with urllib.request.urlopen(request, timeout=30) as answer:
+            body = answer.read()
+        return json.loads(body) if body else []
+
+
+def _note(notebook: NotebookPage, kind: str, text: str) -> None:
+    if kind == "error":
+        notebook._console.append(text[:500])
+
+
+@contextmanager
+def lab_session(scratch: Path) -> Iterator[LabSession]:
+    """Start a server and a browser; end both."""
+    from playwright.sync_api import sync_playwright
+
+    root = scratch / "notebooks"
+    root.mkdir(parents=True)
+    with jupyterlab_server(root, scratch) as url, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(
+            executable_path=find_chromium(), args=list(CHROMIUM_ARGUMENTS)
+        )
+        session = LabSession(url, root, browser)
+        try:
+            yield session
+        finally:
+            session.close_all()
+            browser.close()
