@@ -18,12 +18,13 @@ LAYERS: tuple[frozenset[str], ...] = tuple(
     frozenset(names.split())
     for names in (
         "geometry.checks",
-        "geometry.series",
+        "geometry.series geometry.quadrature",
         "geometry.dual",
-        "geometry.line",
-        "geometry.curve geometry.field geometry.jet",
+        "geometry.jet geometry.line",
+        "geometry.curve geometry.field",
+        "geometry.closed",
         "geometry.surface",
-        "geometry.closed geometry.rebuild",
+        "geometry.rebuild",
         "geometry.gallery",
         "geometry",
         "__init__ printed design lab.palette lab.shaders",

@@ -20,6 +20,9 @@ POLE = 1e-12
 STILL = 1e-11
 """Striction speed below this fraction of the terms it is made of counts as zero."""
 
+FLAT = 1e-12
+"""|τ| below this fraction of κ counts as zero: the spherical image follows a great circle."""
+
 CLOSING = 1e-9
 """A gap below this fraction of the size of what is compared counts as closed."""
 

@@ -13,7 +13,7 @@ from typing import Protocol
 
 import numpy as np
 
-from .checks import CLOSING, Array, GeometryError
+from .checks import CLOSING, FLAT, Array, GeometryError, frozen
 from .dual import Dual
 from .jet import Jet, cross, dot, measure
 from .line import Line, dual_angle
@@ -52,7 +52,8 @@ class Closure:
     order
         −1 open, 0 for C⁰, 1 for C¹, 2 for C²: how many derivatives by t agree as well.
     gaps
-        (3, 2) what remains in x and x̄ for X, X′ and X″.
+        (3, 2) what remains in x and x̄ for X, X′ and X″, between X(end) and X(start) or, where
+        that is nearer, −X(start); NaN where one of them is undefined.
     reason
         the same in one sentence.
     """
@@ -69,7 +70,8 @@ class ArcLengths:
     """Integral invariants over the whole domain (paper, §2.2).
 
     ``kappa`` + ε ``kappa_bar`` = ∫κ̂ dt is the dual arc length of X₁; ``tau`` + ε ``tau_bar`` =
-    ∫τ̂ dt; ``x3`` = ∫|τ̂| dt the dual arc length of X₃, in which the modulus matters;
+    ∫τ̂ dt; ``x3`` = ∫|τ̂| dt the dual arc length of X₃, in which the modulus matters, and to
+    which stretches with τ = 0 add nothing, as a pure dual has no modulus;
     ``striction`` = ∫√(κ̄² + τ̄²) dt the length of the striction curve.
     """
 
@@ -83,26 +85,28 @@ class ArcLengths:
 
 def closure(moving: MovingLine) -> Closure:
     """Compare X, X′ and X″ at both ends of the domain."""
-    rows = moving.jet(np.linspace(*moving.domain, SAMPLES), 2).rows
-    if not np.isfinite(rows).all():
-        return Closure(False, False, -1, np.full((3, 2), np.nan), _undefined_reason(rows, moving))
+    t = np.linspace(*moving.domain, SAMPLES)
+    rows = moving.jet(t, 2).rows
+    missing = ~np.isfinite(rows[0]).all(axis=(0, 1))
+    if missing.any():
+        reason = f"not closed: the line is undefined at t = {t[missing][0]:.4g}"
+        return Closure(False, False, -1, frozen(np.full((3, 2), np.nan)), reason)
     first, last = rows[..., 0], rows[..., -1]
     sign = 1.0 if dot(first[0, 0], last[0, 0]) > 0.0 else -1.0
-    gaps = np.linalg.norm(last - sign * first, axis=-1)
-    sizes = np.linalg.norm(rows, axis=2).max(axis=-1)
-    sizes[:, 1] += sizes[:, 0] * sizes[0, 1]
-    agree = (gaps <= CLOSING * np.maximum(sizes, np.finfo(float).tiny)).all(axis=1)
-    order = int(np.cumprod(agree).sum()) - 1
+    with np.errstate(all="ignore"):
+        gaps = np.linalg.norm(last - sign * first, axis=-1)
+        order = int(np.cumprod((gaps <= CLOSING * _sizes(rows)).all(axis=1)).sum()) - 1
     closed = order >= 0
     reason = _closed_reason(sign, order, gaps) if closed else _open_reason(first[0], last[0])
-    gaps.flags.writeable = False
-    return Closure(closed, closed and sign > 0.0, order, gaps, reason)
+    return Closure(closed, closed and sign > 0.0, order, frozen(gaps), reason)
 
 
-def _undefined_reason(rows: Array, moving: MovingLine) -> str:
-    bad = ~np.isfinite(rows).all(axis=(0, 1, 2))
-    place = np.linspace(*moving.domain, SAMPLES)[bad][0]
-    return f"not closed: the line is undefined at t = {place:.4g}"
+def _sizes(rows: Array) -> Array:
+    """Return (3, 2) the ordinary sizes of X, X′, X″, over the samples where they are defined."""
+    lengths = np.linalg.norm(rows, axis=2)
+    sizes = np.where(np.isfinite(lengths), lengths, 0.0).max(axis=-1)
+    sizes[:, 1] += sizes[:, 0] * sizes[0, 1]
+    return np.asarray(np.maximum(sizes, np.finfo(float).tiny))
 
 
 def _closed_reason(sign: float, order: int, gaps: Array) -> str:
@@ -114,7 +118,9 @@ def _closed_reason(sign: float, order: int, gaps: Array) -> str:
             "pitch of the first"
         )
     if order < 2:
-        jump = np.abs(gaps[order + 1]).max()
+        jump = gaps[order + 1].max()
+        if not np.isfinite(jump):
+            return f"{smooth}; at the seam {STEPS[order + 1]} is undefined"
         return f"{smooth}; at the seam {STEPS[order + 1]} jumps by {jump:.3g}"
     return smooth
 
@@ -149,12 +155,12 @@ def dual_angle_of_pitch(moving: MovingLine) -> Dual:
 def arc_lengths(moving: MovingLine) -> ArcLengths:
     """Return the integral invariants; the pieces between zeros of τ are integrated one by one."""
     start, end = moving.domain
-    breaks = sign_changes(lambda t: measure(moving.jet(t))[0][2], start, end)
-    corners = [start, *breaks, end]
-    pieces = [
-        integrate(lambda t: _lengths(measure(moving.jet(t))[0]), a, b, "an arc length")
-        for a, b in pairwise(corners)
-    ]
+    with np.errstate(all="ignore"):
+        breaks = sign_changes(lambda t: _sense(measure(moving.jet(t))[0]), start, end)
+        pieces = [
+            integrate(lambda t: _lengths(measure(moving.jet(t))[0]), a, b, "an arc length")
+            for a, b in pairwise([start, *breaks.tolist(), end])
+        ]
     kappa, kappa_bar, tau, tau_bar, striction, x3, x3_bar = np.sum(pieces, axis=0)
     return ArcLengths(
         float(kappa),
@@ -169,7 +175,14 @@ def arc_lengths(moving: MovingLine) -> ArcLengths:
 def _lengths(values: Array) -> Array:
     kappa, kappa_bar, tau, tau_bar = values[:4]
     speed = np.hypot(kappa_bar, tau_bar)
-    return np.stack([kappa, kappa_bar, tau, tau_bar, speed, np.abs(tau), np.sign(tau) * tau_bar])
+    sense = _sense(values)
+    return np.stack([kappa, kappa_bar, tau, tau_bar, speed, sense * tau, sense * tau_bar])
+
+
+def _sense(values: Array) -> Array:
+    """Return the sign of τ, 0 where the spherical image follows a great circle to rounding."""
+    kappa, tau = values[0], values[2]
+    return np.asarray(np.where(np.abs(tau) <= FLAT * kappa, 0.0, np.sign(tau)))
 
 
 def _advance(jet: Jet) -> Array:

@@ -324,8 +324,9 @@ def seam(curve: Bezier | npt.ArrayLike) -> Seam:
     Notes
     -----
     Differences of control points count as equal within ``CLOSING`` (1e-9) of the diagonal of the
-    polygon's bounding box. Points that all coincide close with every order. A leg of length zero
-    has no direction: such a seam is not called G¹.
+    polygon's bounding box. Points that all coincide close with every order. Where p₁ = p₀ the
+    curve stops at its seam: the order still speaks of b(t), but G¹ is not claimed, because a leg
+    of length zero has no direction.
 
     Raises
     ------
@@ -455,7 +456,7 @@ def _closed(points: Array, order: int, kept: set[int], turns: int) -> Array:
             f"`keep` must leave free what {_NAMES[order]} has to move; "
             f"got {sorted(kept)}; release one of {_seam_points(conditions, kept)}"
         )
-    return _joined(points, points + moves, turns) if order >= 0 else points.copy()
+    return _joined(points, points + moves, turns)
 
 
 def _conditions(count: int) -> Array:

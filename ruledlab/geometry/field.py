@@ -337,7 +337,7 @@ def _checked_result(result: Any, arguments: tuple[Any, Any], name: str) -> Any:
         return float(result)
     if isinstance(result, np.ndarray):
         # An array computed from a Series has lost its derivatives; a constant is a plain number.
-        lost = any(not isinstance(a, (np.ndarray, np.generic)) for a in arguments)
+        lost = all(not isinstance(a, (np.ndarray, np.generic)) for a in arguments)
         if result.dtype.kind in "fiu" and not lost:
             return result
     elif hasattr(result, "__array_ufunc__") and not isinstance(result, np.generic):
@@ -1092,7 +1092,7 @@ CHOICES: tuple[Choice, ...] = (
     ),
     Choice(
         "saddle_normals",
-        "Normals of a surface with four cusps",
+        "Normals, from a support function",
         "-cos(v)*sin(2*u)",
         "sin(v)*cos(2*u)",
         "Every line is normal to the surface whose tangent plane with normal (x, y, z) has the "

@@ -133,7 +133,8 @@ def measure(jet: Jet) -> tuple[Array, Flags]:
     tau = dot(normal, x2) / square
     twist = dot(cross(y, x1) + cross(x, y1), x2) + dot(normal, y2)
     tau_bar = twist / square - 2.0 * tau * delta
-    still = np.hypot(kappa_bar, tau_bar) <= STILL * _terms(jet, size)
+    terms = _terms(jet, size)
+    still = (np.hypot(kappa_bar, tau_bar) <= STILL * terms) & np.isfinite(terms)
     sigma = _striction_angle(kappa_bar, tau_bar, still)
     values = np.stack([kappa, kappa_bar, tau, tau_bar, sigma, delta, kappa_prime, kappa_bar_prime])
     return _blanked(values, np.stack([cylindrical, still, np.broadcast_to(jet.pole, still.shape)]))
@@ -174,4 +175,4 @@ def striction(jet: Jet) -> Array:
     square = dot(x1, x1)
     cylindrical = square <= (CYLINDRICAL * np.asarray(jet.scale)) ** 2
     shift = dot(cross(x, x1), y1) / np.where(cylindrical, np.nan, square)
-    return cross(x, y) + shift * x
+    return np.asarray(cross(x, y) + shift * x)

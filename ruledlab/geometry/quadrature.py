@@ -6,7 +6,6 @@ from collections.abc import Callable
 
 import numpy as np
 from scipy.integrate import cubature
-from scipy.optimize import brentq
 
 from .checks import Array, GeometryError
 
@@ -15,6 +14,7 @@ __all__ = ["integrate", "sign_changes"]
 ACCURACY = 1e-13
 PANELS = 8
 SUBDIVISIONS = 200
+HALVINGS = 52
 
 
 def integrate(function: Callable[[Array], Array], start: float, end: float, what: str) -> Array:
@@ -67,15 +67,19 @@ def integrate(function: Callable[[Array], Array], start: float, end: float, what
 
 def sign_changes(
     function: Callable[[Array], Array], start: float, end: float, samples: int = 513
-) -> list[float]:
-    """Return where a scalar function of t changes sign, each bracketed and then found by Brent."""
+) -> Array:
+    """Return where a scalar function of t changes sign between two of the samples, by bisection.
+
+    Stretches on which it is 0 or NaN are no change by themselves: what counts is the sign before
+    and after.
+    """
     t = np.linspace(start, end, samples)
-    values = function(t)
-    brackets = np.flatnonzero(values[:-1] * values[1:] < 0.0)
-
-    def at(place: float) -> float:
-        return float(function(np.array([place]))[0])
-
-    crossings = [float(brentq(at, t[i], t[i + 1], xtol=1e-15)) for i in brackets]
-    touched = [float(place) for place in t[1:-1][values[1:-1] == 0.0]]
-    return sorted(crossings + touched)
+    signs = np.sign(function(t))
+    firm = np.flatnonzero(np.abs(signs) > 0.0)
+    turns = np.flatnonzero(signs[firm[:-1]] != signs[firm[1:]])
+    left, right, sign = t[firm[turns]], t[firm[turns + 1]], signs[firm[turns]]
+    for _ in range(HALVINGS if turns.size else 0):
+        middle = 0.5 * (left + right)
+        same = np.sign(function(middle)) == sign
+        left, right = np.where(same, middle, left), np.where(same, right, middle)
+    return 0.5 * (left + right)

@@ -317,14 +317,8 @@ class RuledSurface:
         K = −δ²/(δ² + w²)² and H = (h₁₁ − 2h₁₂τ̄)/(2W²); both NaN at W = 0. K ≤ 0 everywhere, and
         of all points of a ruling |K| is greatest at the striction point.
         """
-        t, w = finite_array(t, "t"), finite_array(w, "w")
-        values, _ = self._measured(t)
-        k, kb, tau, tb, _, _, dk, dkb = (_spread(row, w) for row in values)
-        with np.errstate(all="ignore"):
-            size = _area(k, kb, w)
-            gauss = -((k * kb / size**2) ** 2)
-            bend = kb * (w * dk - kb * tau - k * tb) - w * k * (w * k * tau + dkb)
-            return Curvature(gauss, bend / (2.0 * size**3))
+        w, invariants = finite_array(w, "w"), self.invariants(t)
+        return _curvature([_spread(getattr(invariants, name), w) for name in BENDING], w)
 
     # -- the whole surface -----------------------------------------------------------------------
 
@@ -372,6 +366,23 @@ class RuledSurface:
                 f"{self._curve.batch_shape}; build each from its own curve"
             )
         return self
+
+
+def curvature_along(invariants: Invariants, w: Array) -> Curvature:
+    """Return K and H at places w of shape (…, W) chosen for each ruling."""
+    return _curvature([getattr(invariants, name)[..., None] for name in BENDING], w)
+
+
+BENDING = ("kappa", "kappa_bar", "tau", "tau_bar", "kappa_prime", "kappa_bar_prime")
+"""The invariants that K and H depend on."""
+
+
+def _curvature(rows: list[Array], w: Array) -> Curvature:
+    k, kb, tau, tb, dk, dkb = rows
+    with np.errstate(all="ignore"):
+        size = _area(k, kb, w)
+        bend = kb * (w * dk - kb * tau - k * tb) - w * k * (w * k * tau + dkb)
+        return Curvature(-((k * kb / size**2) ** 2), bend / (2.0 * size**3))
 
 
 def _last(vectors: Array) -> Array:

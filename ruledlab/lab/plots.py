@@ -74,7 +74,6 @@ DEFAULT_NAMES = ("kappa", "tau", "sigma")
 # ------------------------------------------------------------------------------ numbers as text
 
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-_FIGURE_SPACE = "\u2007"  # as wide as a digit, so that columns of numbers stand still
 
 
 def _minus(text: str) -> str:
@@ -110,7 +109,7 @@ def _turn(multiple: Fraction) -> str:
 
 
 def _readout(value: float, limits: Limits, quantity: Quantity) -> str:
-    """Return the value at the cursor, with as many decimals as the axis can show: a fixed width."""
+    """Return the value at the cursor; the axis gives the number of decimals, so it stands still."""
     if not math.isfinite(value):
         return "undefined"
     unit = math.pi if quantity.angle else 1.0
@@ -119,7 +118,7 @@ def _readout(value: float, limits: Limits, quantity: Quantity) -> str:
     if float(text) == 0:
         text = text.removeprefix("-")
     text = _scientific(value / unit, 4) if len(text) > 8 else _minus(text)
-    return (text + ("π" if quantity.angle else "")).rjust(9, _FIGURE_SPACE)
+    return text + ("π" if quantity.angle else "")
 
 
 # -------------------------------------------------------------------------------------- limits
@@ -255,19 +254,25 @@ def number_ticks(limits: Limits, most: int) -> Ticks:
 
 
 def _label(ticks: list[float], step: float) -> Ticks:
-    """Return ticks with texts: plain, in powers of ten, or as differences from one of them."""
+    """Return ticks with texts: plain, by one power of ten, or as differences from one of them."""
     size = max(abs(tick) for tick in ticks)
-    decimals = max(0, -math.floor(math.log10(step) + 1e-9))
-    digits = 1 + max(0, math.floor(math.log10(max(size, step) / step) + 1e-9))
-    if decimals + max(0, math.floor(math.log10(size or 1.0))) <= 4 and size < 1e5:
-        return tuple((tick, _minus(f"{tick:.{decimals}f}")) for tick in ticks)
-    if digits <= 3:
-        return tuple((tick, _scientific(tick, digits) if tick else "0") for tick in ticks)
+    finest = math.floor(math.log10(step) + 1e-9)
+    exponent = max(finest, math.floor(math.log10(size or step) + 1e-9))
+    if size < 1e5 and max(0, -finest) + max(0, exponent) <= 4:
+        return tuple((tick, _minus(f"{tick:.{max(0, -finest)}f}")) for tick in ticks)
+    if exponent - finest <= 2:
+        return tuple((tick, _shared(tick, exponent, exponent - finest)) for tick in ticks)
     base = min(ticks, key=lambda tick: len(_number(tick, 9)))  # a narrow range far from zero
-    return tuple(
-        (tick, _number(base, 9) if tick == base else _difference(tick - base, step))
-        for tick in ticks
-    )
+    return tuple((tick, _number(base, 9) if tick == base else _difference(tick - base, step))
+                 for tick in ticks)  # fmt: skip
+
+
+def _shared(value: float, exponent: int, decimals: int) -> str:
+    """Return a value by a power of ten that others share; zero stays plain."""
+    if value == 0:
+        return "0"
+    power = str(exponent).translate(_SUPERSCRIPT)
+    return f"{_minus(f'{value / 10.0**exponent:.{decimals}f}')}·10{power}"
 
 
 def _difference(value: float, step: float) -> str:
@@ -296,6 +301,7 @@ def _parameter_ticks(across: Limits, most: int) -> Ticks:
 _FONT: dict[str, Any] = {"family": "DejaVu Sans", "usetex": False, "parse_math": False}
 _MATH: dict[str, Any] = {"parse_math": True, "math_fontfamily": "dejavusans"}
 _LEFT, _RIGHT, _TOP, _FRAME, _BOTTOM, _AXIS = 86, 14, 9, 92, 9, 34
+_VALUE = (76, 22)  # room of the value at the cursor, in a right corner of the frame
 _MIN_WIDTH, _MAX_WIDTH = 280, 1200
 
 
@@ -539,11 +545,12 @@ class CurvePlots:
     """
 
     def __init__(self, names: Iterable[str] = DEFAULT_NAMES, theme: Theme = LIGHT) -> None:
-        self.widget = _PlotsWidget()
+        self.widget = _PlotsWidget(layout={"width": "100%", "min_width": f"{_MIN_WIDTH}px"})
         self._lock = RLock()
         self._painter = _Painter()
         self._painted: dict[_Strip, _Painted] = {}
         self._limits: dict[str, Limits] = {}
+        self._below: set[str] = set()  # whose value at the cursor stands in the lower corner
         self._callbacks: list[Callable[[float], object]] = []
         self._names = _checked(names)
         self._theme = theme
@@ -682,11 +689,15 @@ class CurvePlots:
         self._painted = {
             strip: self._painted.get(strip) or self._painter.paint(strip) for strip in strips
         }
-        across, curves = self._pixels()
+        placed = [self._place(strip, self._t, self._values(strip.quantity.name))
+                  for strip in strips]  # fmt: skip
+        for strip, (x, y) in zip(strips, placed, strict=True):
+            self._set_aside(strip, x, y)
         with self.widget.hold_sync():
             self.widget.strips = [painted.svg for painted in self._painted.values()]
             self.widget.frame = self._frame()
-            self.widget.across, self.widget.curves = across.tobytes(), curves.tobytes()
+            self.widget.across = placed[0][0].astype(np.float32).tobytes()
+            self.widget.curves = np.array([y for _, y in placed], dtype=np.float32).tobytes()
             self.widget.notes = [self._note(strip) for strip in strips]
             self.widget.reasons = "\n".join(self._gaps)
             self.widget.summary = self._in_words()
@@ -700,22 +711,24 @@ class CurvePlots:
         x = transform.transform(np.column_stack((t, np.full(t.shape, low))))[:, 0]
         kept = np.clip(values, low - reach, high + reach)
         y = transform.transform(np.column_stack((np.zeros(t.shape), kept)))[:, 1]
-        above = (_TOP + _FRAME + _BOTTOM) * self._names.index(strip.quantity.name)
-        return x, above + strip.height - y
+        return x, self._above(strip) + strip.height - y
 
-    def _pixels(self) -> tuple[Array, Array]:
-        placed = [
-            self._place(strip, self._t, self._values(strip.quantity.name))
-            for strip in self._painted
-        ]
-        return (
-            placed[0][0].astype(np.float32),
-            np.stack([down for _, down in placed]).astype(np.float32),
-        )
+    def _set_aside(self, strip: _Strip, x: Array, y: Array) -> None:
+        """Move the value at the cursor to the other right corner if only there it is free."""
+        name = strip.quantity.name
+        end = y[x > strip.width - _RIGHT - _VALUE[0]] - self._above(strip) - _TOP
+        blocked = {False: bool(np.any(end < _VALUE[1])),
+                   True: bool(np.any(end > _FRAME - _VALUE[1]))}  # fmt: skip
+        below = name in self._below
+        if blocked[below] and not blocked[not below]:
+            (self._below.discard if below else self._below.add)(name)
+
+    def _above(self, strip: _Strip) -> int:
+        """Return the height of the strips above this one."""
+        return (_TOP + _FRAME + _BOTTOM) * self._names.index(strip.quantity.name)
 
     def _frame(self) -> dict[str, Any]:
         strips, across, theme = tuple(self._painted), self._across(), self._theme
-        step = _TOP + _FRAME + _BOTTOM
         return {
             "width": strips[0].width,
             "height": sum(strip.height for strip in strips),
@@ -724,12 +737,12 @@ class CurvePlots:
             "t": [across.low, across.high],
             "axes": [
                 {
-                    "top": k * step + _TOP,
-                    "bottom": k * step + _TOP + _FRAME,
+                    "top": self._above(strip) + _TOP,
+                    "bottom": self._above(strip) + _TOP + _FRAME,
                     "colour": strip.colour,
                     "dashed": strip.quantity.barred,
                 }
-                for k, strip in enumerate(strips)
+                for strip in strips
             ],
             "colours": {
                 name: getattr(theme, name) for name in ("ink", "faint", "grid", "paper", "cursor")
@@ -739,7 +752,7 @@ class CurvePlots:
     def _note(self, strip: _Strip) -> dict[str, Any]:
         """Return what is to be marked on one axis: ranges without value, peaks that leave it."""
         values = self._values(strip.quantity.name)
-        note: dict[str, Any] = {}
+        note: dict[str, Any] = {"below": strip.quantity.name in self._below}
         if gaps := undefined_ranges(self._t, values):
             ends = np.array(gaps).ravel()
             x, _ = self._place(strip, ends, np.full(ends.size, strip.limits.low))
@@ -752,7 +765,7 @@ class CurvePlots:
                 [round(float(at), 1), value > strip.limits.high]
                 for at, (_, value) in zip(x, found, strict=False)
             ]
-            note["text"] = _peak_text(found)
+            note["texts"] = [_peak_text(found), _number(found[0][1])]  # where there is little room
         return note
 
     def _in_words(self) -> str:

@@ -7,12 +7,13 @@ No plotting library is imported here, and no view computes geometry of its own.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.floating[Any]]
+from ..design import Design
+from ..geometry.checks import Array
+from ..geometry.jet import Jet, cross
+from ..geometry.surface import Invariants, RuledSurface, Undefined, curvature_along
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -101,3 +102,166 @@ class Mark:
     frame: Array
     values: dict[str, float]
     text: str
+
+
+COLOURINGS = {
+    "plain": "",
+    "delta": "δ, distribution parameter (length)",
+    "gauss": "K, Gauss curvature (1/length²)",
+    "mean": "H, mean curvature (1/length)",
+}
+"""What the surface may be coloured by, and the words under its colour bar."""
+
+ACROSS = 25
+"""Places along a ruling at which K and H are coloured."""
+
+DRAWN = ("kappa", "kappa_bar", "tau", "tau_bar", "sigma", "delta")
+SYMBOLS = dict(zip(DRAWN, ("κ", "κ̄", "τ", "τ̄", "σ", "δ"), strict=True))
+
+
+def build_scene(
+    design: Design, surface: RuledSurface, closed: bool, colouring: str = "plain"
+) -> Scene:
+    """Sample a design for drawing."""
+    t = np.linspace(*surface.domain, design.samples)
+    invariants = surface.invariants(t)
+    jet = surface.jet(t, 1)
+    x, x_rate = (np.moveaxis(row, 0, -1) for row in jet.direction)
+    m = surface.striction(t)
+    base, base_rate = _base(design, surface, jet, invariants, m)
+    w = np.array([-0.5, 0.5]) * design.length
+    curves = {name: getattr(invariants, name) for name in DRAWN}
+    curves["sigma"] = unwrapped(curves["sigma"])
+    gaps = tuple(_gap(report, t) for report in invariants.undefined)
+    centre, radius = _ball(base, x, w)
+    control = np.array(design.points)
+    return Scene(
+        t=t,
+        chart=surface.curve.series(t, 0).value.T,
+        control=control,
+        control_directions=on_sphere(control),
+        direction=x,
+        direction_rate=x_rate,
+        base=base,
+        base_rate=base_rate,
+        striction=m,
+        w=w,
+        curves=curves,
+        gaps=gaps,
+        colour=_colour(colouring, surface, invariants, base, m, x, w),
+        colour_label=COLOURINGS[colouring],
+        centre=centre,
+        radius=radius,
+        closed=closed,
+        text=_scene_text(design, curves, gaps),
+    )
+
+
+def build_mark(design: Design, surface: RuledSurface, t: float) -> Mark:
+    """Sample a design at the cursor."""
+    invariants = surface.invariants(t)
+    values = {name: float(getattr(invariants, name)) for name in DRAWN}
+    m, c = surface.striction(t), surface.foot(t)
+    chart = surface.curve.series(np.asarray(t), 0).value
+    return Mark(
+        t=t,
+        chart=chart,
+        base=m if design.base == "striction" else c,
+        striction=m,
+        frame=surface.frame(t),
+        values=values,
+        text=_mark_text(t, chart, values, [report.reason for report in invariants.undefined]),
+    )
+
+
+def on_sphere(chart: Array) -> Array:
+    """Return the points of the unit sphere with the given longitudes and colatitudes."""
+    u, v = chart[..., 0], chart[..., 1]
+    return np.stack([np.cos(u) * np.sin(v), np.sin(u) * np.sin(v), np.cos(v)], axis=-1)
+
+
+def unwrapped(angle: Array) -> Array:
+    """Return the angle without its jumps of 2π; gaps stay gaps."""
+    known = np.isfinite(angle)
+    result = angle.copy()
+    result[known] = np.unwrap(angle[known])
+    return result
+
+
+def _base(
+    design: Design, surface: RuledSurface, jet: Jet, invariants: Invariants, m: Array
+) -> tuple[Array, Array]:
+    """Return the points that w is drawn from, and their derivative by t."""
+    if design.base == "foot":
+        (x, x1), (y, y1) = jet.direction, jet.moment
+        rate = cross(x1, y) + cross(x, y1)
+        return np.moveaxis(cross(x, y), 0, -1), np.moveaxis(rate, 0, -1)
+    frame = surface.frame(invariants.t)
+    tau_bar, kappa_bar = invariants.tau_bar[:, None], invariants.kappa_bar[:, None]
+    return m, tau_bar * frame[:, 0] + kappa_bar * frame[:, 2]
+
+
+def _colour(
+    colouring: str,
+    surface: RuledSurface,
+    invariants: Invariants,
+    base: Array,
+    m: Array,
+    x: Array,
+    w: Array,
+) -> Array | None:
+    if colouring == "plain":
+        return None
+    if colouring == "delta":
+        return invariants.delta[:, None]
+    # K and H are known over m + w x; the drawing may be centred elsewhere on the ruling.
+    shift = np.einsum("ti,ti->t", base - m, x)[:, None]
+    places = np.linspace(w[0], w[1], ACROSS) + np.nan_to_num(shift)
+    forms = curvature_along(invariants, places)
+    return forms.gauss if colouring == "gauss" else forms.mean
+
+
+def _ball(base: Array, x: Array, w: Array) -> tuple[Array, float]:
+    """Return a ball about the bulk of the drawing; a few far-off rulings do not count."""
+    ends = np.concatenate([base + end * x for end in w])
+    ends = ends[np.isfinite(ends).all(axis=1)]
+    if not len(ends):
+        return np.zeros(3), 1.0
+    low, high = np.percentile(ends, [4.0, 96.0], axis=0)
+    centre = 0.5 * (low + high)
+    radius = float(np.percentile(np.linalg.norm(ends - centre, axis=1), 92.0))
+    return centre, max(radius, 0.05 * float(w[1] - w[0]), 1e-6)
+
+
+def _gap(report: Undefined, t: Array) -> str:
+    """Say where and why some curves have a gap."""
+    names = ", ".join(SYMBOLS[name] for name in DRAWN if name in report.names)
+    where = t[report.where]
+    place = f"t = {where[0]:.4g}" if len(where) == 1 else f"t = {where[0]:.4g} … {where[-1]:.4g}"
+    return f"{names} undefined at {place}. {report.reason[0].upper()}{report.reason[1:]}."
+
+
+def _scene_text(design: Design, curves: dict[str, Array], gaps: tuple[str, ...]) -> str:
+    degree = len(design.points) - 1
+    ranges = [f"{SYMBOLS[name]} {_range(values)}" for name, values in curves.items()]
+    lead = (
+        f"Ruled surface of a Bézier curve of degree {degree} in the chart of the unit sphere, with "
+        f"ū = {design.ubar} and v̄ = {design.vbar}. Over t: "
+    )
+    return " ".join([lead + "; ".join(ranges) + ".", *gaps])
+
+
+def _range(values: Array) -> str:
+    known = values[np.isfinite(values)]
+    if not len(known):
+        return "is undefined"
+    return f"from {known.min():.4g} to {known.max():.4g}"
+
+
+def _mark_text(t: float, chart: Array, values: dict[str, float], reasons: list[str]) -> str:
+    numbers = [
+        f"{SYMBOLS[name]} = {value:.4f}" if np.isfinite(value) else f"{SYMBOLS[name]} undefined"
+        for name, value in values.items()
+    ]
+    place = f"At t = {t:.3f}, (u, v) = ({chart[0]:.4f}, {chart[1]:.4f}): "
+    return " ".join([place + ", ".join(numbers) + ".", *(f"{reason}." for reason in reasons)])

@@ -22,6 +22,14 @@ function element(space, name, attributes = {}, ...children) {
   made.append(...children);
   return made;
 }
+// Writes only what differs: an attribute set again costs the browser a restyle all the same.
+function set(node, attributes) {
+  for (const [key, value] of Object.entries(attributes)) {
+    const text = String(value);
+    if (node.getAttribute(key) !== text) node.setAttribute(key, text);
+  }
+}
+
 const svg = (...parts) => element(SVG, ...parts);
 const html = (...parts) => element(null, ...parts);
 
@@ -263,6 +271,8 @@ class View {
       listen(stage, "pointermove", (e) => this.onMove(e)),
       listen(stage, "pointerup", (e) => this.onUp(e)),
       listen(stage, "pointercancel lostpointercapture", (e) => this.onLost(e)),
+      // Says no to scrolling where `touch-action` is not heeded inside an SVG; pointerdown came first.
+      listen(stage, "touchstart", (e) => this.drag && e.cancelable && e.preventDefault(), { passive: false }),
       listen(stage, "pointerleave", () => this.hover(-1)),
       listen(root, "keydown", (e) => this.onKey(e)),
       listen(root, "keyup keypress", (e) => this.isOurs(e) && e.stopPropagation()),
@@ -454,14 +464,12 @@ class View {
   }
 
   onDown(event) {
-    if (event.button !== 0 || this.drag || !this.extent) return;
+    if (event.button !== 0 || this.drag || !this.extent || !this.count) return;
     const [x, y] = this.place(event);
     const index = this.nearest(x, y, REACH[event.pointerType] ?? REACH.mouse);
     this.endRun();
     if (index < 0) {
-      const { left, top, width, height } = this.size;
-      const empty = x >= left && x <= left + width && y >= top && y <= top + height;
-      this.press = empty ? { pointer: event.pointerId, x, y } : null;
+      this.press = this.inFrame(x, y) ? { pointer: event.pointerId, x, y } : null;
       return;
     }
     event.preventDefault();
@@ -481,7 +489,7 @@ class View {
   onMove(event) {
     const { drag } = this, [x, y] = this.place(event);
     if (drag?.pointer !== event.pointerId) {
-      if (!drag && event.pointerType !== "touch") this.hover(this.nearest(x, y, REACH.mouse));
+      if (!drag && this.extent && event.pointerType !== "touch") this.hover(this.nearest(x, y, REACH.mouse), this.inFrame(x, y));
       return;
     }
     if (!drag.moved && Math.hypot(x - drag.x, y - drag.y) < 1) return;
@@ -521,8 +529,13 @@ class View {
     this.finishDrag(true);
   }
 
-  hover(index) {
-    this.stage.style.cursor = index < 0 ? "" : "grab";
+  inFrame(x, y) {
+    const { left, top, width, height } = this.size;
+    return x >= left && x <= left + width && y >= top && y <= top + height;
+  }
+
+  hover(index, adds = false) {
+    this.stage.style.cursor = index >= 0 ? "grab" : adds ? "copy" : "";
     for (const g of this.handles) g.classList.toggle("rl-hover", Number(g.dataset.index) === index);
   }
 
@@ -857,17 +870,19 @@ class View {
   drawHandle(g, index, joint) {
     const [x, y] = this.toPixel(...this.at(index)), chosen = index === this.chosen, last = this.count - 1;
     const hidden = this.canonical(index) !== index;
-    g.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)})`);
-    g.setAttribute("visibility", hidden ? "hidden" : "inherit");
-    g.setAttribute("tabindex", chosen && !hidden ? 0 : -1);
-    g.setAttribute("aria-pressed", chosen);
-    g.setAttribute("aria-label", this.describe(index));
+    set(g, {
+      transform: `translate(${x.toFixed(2)} ${y.toFixed(2)})`,
+      visibility: hidden ? "hidden" : "inherit",
+      tabindex: chosen && !hidden ? 0 : -1,
+      "aria-pressed": chosen,
+      "aria-label": this.describe(index),
+    });
     g.classList.toggle("rl-chosen", chosen);
     g.classList.toggle("rl-tied", joint !== null && (index === 0 || index === last));
     const label = g.lastChild, [lx, ly] = this.outward(index, joint);
-    label.textContent = joint === 0 && index === 0 ? `0=${last}` : index;
-    label.setAttribute("x", lx.toFixed(1));
-    label.setAttribute("y", (ly + 4).toFixed(1));
+    const words = joint === 0 && index === 0 ? `0=${last}` : `${index}`;
+    if (label.textContent !== words) label.textContent = words;
+    set(label, { x: lx.toFixed(1), y: (ly + 4).toFixed(1) });
   }
 
   // Where a point's number stands: away from the legs that meet there, and inside the frame.
@@ -885,8 +900,9 @@ class View {
     if (Math.hypot(sx, sy) < 0.25) [sx, sy] = ax || ay ? (ax > 0 ? [ay, -ax] : [-ay, ax]) : [0.7, -0.7];
     const length = Math.hypot(sx, sy), far = joint === 0 && index === 0 ? 22 : index === this.chosen ? 19 : 16;
     let dx = (far * sx) / length, dy = (far * sy) / length;
-    if (x + dx < 8 || x + dx > this.size.full - 8) dx = -dx;
-    if (y + dy < 6 || y + dy > this.size.tall - 6) dy = -dy;
+    const { left, top, width, height } = this.size;
+    if (x + dx < left - 4 || x + dx > left + width + 4) dx = -dx;
+    if (y + dy < top - 4 || y + dy > top + height - 2) dy = -dy;
     return [dx, dy];
   }
 

@@ -79,15 +79,23 @@ function drawPeaks(pen, axis, note, frame, valueWidth) {
     pen.fillStyle = axis.colour;
     pen.fill();
     if (i > 0) return;
-    // Beside the arrow, where there is room: never under the value at the upper right.
-    const width = pen.measureText(note.text).width;
-    const end = frame.right - (up ? valueWidth + 6 : 2);
-    const right = x + 10 + width <= end;
-    const start = right ? x + 10 : Math.max(frame.left + 4, Math.min(x - 10, end) - width);
+    // Beside the arrow, where there is room: never under the value in the right corner.
+    const value = up === !note.below ? valueWidth + 6 : 2;
+    const [text, start] = fitting(pen, note.texts, x, frame.left + 4, frame.right - value);
     pen.textAlign = "left";
     pen.textBaseline = up ? "top" : "alphabetic";
-    halo(pen, note.text, start, up ? axis.top + 3 : axis.bottom - 5, axis.colour, frame.colours.paper);
+    halo(pen, text, start, up ? axis.top + 3 : axis.bottom - 5, axis.colour, frame.colours.paper);
   });
+}
+
+/** The longest text that fits to the right or left of x, and where it starts. */
+function fitting(pen, texts, x, first, last) {
+  for (const text of texts) {
+    const width = pen.measureText(text).width;
+    if (x + 10 + width <= last) return [text, Math.max(x + 10, first)];
+    if (x - 10 - width >= first) return [text, Math.min(x - 10, last) - width];
+  }
+  return ["", x];
 }
 
 function drawEmpty(pen, axis, note, frame) {
@@ -95,8 +103,12 @@ function drawEmpty(pen, axis, note, frame) {
   pen.font = NOTE_FONT;
   pen.textAlign = "center";
   pen.textBaseline = "middle";
-  const x = (frame.left + frame.right) / 2;
-  halo(pen, note.empty, x, (axis.top + axis.bottom) / 2, frame.colours.faint, frame.colours.paper);
+  const [x, y] = [(frame.left + frame.right) / 2, (axis.top + axis.bottom) / 2];
+  const width = pen.measureText(note.empty).width + 16;
+  pen.fillStyle = frame.colours.paper;
+  pen.fillRect(x - width / 2, y - 11, width, 22);
+  pen.fillStyle = frame.colours.ink;
+  pen.fillText(note.empty, x, y);
 }
 
 function drawCursor(pen, frame, x, cursor, notes) {
@@ -179,14 +191,14 @@ function render({ model, el }) {
     if (picture.getAttribute("aria-label") !== model.get("summary"))
       picture.setAttribute("aria-label", model.get("summary"));
     if (reasons.title === text) return;
-    const [first, ...others] = text.split("\n");
-    reasons.textContent = others.length ? `${first} (+${others.length} more)` : first;
+    reasons.textContent = text;
     reasons.title = text;
   }
 
   /** Sizes, colours, and one value field per axis. */
   function arrange() {
     const { width, height, left, right, axes, colours } = frame();
+    const notes = model.get("notes");
     for (const [name, colour] of Object.entries(colours))
       root.style.setProperty(`--ruledlab-${name}`, colour);
     stage.style.width = `${width}px`;
@@ -194,17 +206,17 @@ function render({ model, el }) {
     const top = axes[0].top;
     const bottom = axes[axes.length - 1].bottom;
     Object.assign(slider.style, {
-      left: `${left - 6}px`,
-      top: `${top - 7}px`,
-      width: `${right - left + 12}px`,
-      height: `${bottom - top + 14}px`,
+      left: `${left - 3}px`,
+      top: `${top - 4}px`,
+      width: `${right - left + 6}px`,
+      height: `${bottom - top + 7}px`,
     });
     while (outputs.length < axes.length)
       outputs.push(element("span", "ruledlab-plots-value", values));
     while (outputs.length > axes.length) outputs.pop().remove();
     axes.forEach((axis, k) => {
       outputs[k].style.color = axis.colour;
-      outputs[k].style.top = `${axis.top + 1}px`;
+      outputs[k].style.top = `${notes[k] && notes[k].below ? axis.bottom - 21 : axis.top + 1}px`;
       outputs[k].style.right = `${width - right}px`;
     });
     label.style.top = `${bottom + 20}px`;
@@ -246,7 +258,7 @@ function render({ model, el }) {
     const pen = canvas.getContext("2d");
     pen.setTransform(density, 0, 0, density, 0, 0);
     pen.clearRect(0, 0, width, height);
-    const valueWidth = outputs.length ? outputs[0].offsetWidth : 0;
+    const valueWidth = Math.max(76, ...outputs.map((output) => output.offsetWidth));
     axes.forEach((axis, k) => drawGaps(pen, axis, notes[k] || {}, frame()));
     axes.forEach((axis, k) => drawCurve(pen, axis, across, curves[k], frame()));
     axes.forEach((axis, k) => {
