@@ -266,9 +266,9 @@ def server_command(root: Path, ip: str, port: int, *, browser: bool) -> list[str
     """
     command = [sys.executable, "-m", "jupyterlab", f"--ServerApp.root_dir={root}"]
     command += [f"--ServerApp.ip={ip}", f"--ServerApp.port={port}", "--ServerApp.port_retries=0"]
-    command += [f"--LabApp.default_url=/lab/tree/{FIRST_LESSON}", "--log-level=WARN"]
+    command += [f"--LabApp.default_url=/lab/tree/{FIRST_LESSON}", "--LabApp.log_level=WARN"]
+    command += ["--ServerApp.log_level=WARN"]
     command += ["--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate"]
-    command += ["--ServerApp.show_banner=False"]  # the address is announced by us
     command += [f"--ServerApp.open_browser={browser}", "--ServerApp.answer_yes=True"]
     if getattr(os, "geteuid", lambda: 1)() == 0:
         command.append("--allow-root")  # containers; it listens on this machine alone by default

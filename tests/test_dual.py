@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import operator
+from types import SimpleNamespace
 
 import mpmath
 import numpy as np
@@ -24,6 +25,7 @@ whole_vectors = arrays(float, 3, elements=whole)
 dual_vectors = st.builds(Dual, whole_vectors, whole_vectors)
 directed = dual_vectors.filter(lambda a: a.real.any())
 EPSILON = Dual(0.0, 1.0)
+few = settings(max_examples=50)
 
 
 def same(a, b):
@@ -39,6 +41,7 @@ def close(a, b, rtol=1e-12, atol=1e-12):
 # -- the ring -------------------------------------------------------------------------------------
 
 
+@few
 @given(duals, duals, duals)
 def test_ring_laws_hold_exactly(a, b, c):
     same(a + b, b + a)
@@ -58,17 +61,20 @@ def test_epsilon_squares_to_zero():
     same(Dual(2.0, 3.0) * EPSILON, Dual(0.0, 2.0))
 
 
+@few
 @given(whole, whole)
 def test_pure_duals_are_zero_divisors(a, b):
     same(Dual(0.0, a) * Dual(0.0, b), Dual(0.0))
 
 
+@few
 @given(duals)
 def test_conjugate_gives_the_square_of_the_real_part(a):
     same(a * a.conjugate(), Dual(a.real**2))
     same(a.conjugate().conjugate(), a)
 
 
+@few
 @given(duals, units)
 def test_division_undoes_multiplication(a, b):
     close((a / b) * b, a, atol=1e-10)
@@ -77,6 +83,7 @@ def test_division_undoes_multiplication(a, b):
     close(1 / b, b.conjugate() / b.real**2)
 
 
+@few
 @given(units, st.integers(0, 6))
 def test_whole_powers_are_repeated_products(a, n):
     a = Dual(a.real / 4, a.dual / 4)
@@ -99,8 +106,10 @@ def test_power_of_an_array_of_exponents():
     same(Dual(-2.0, 1.0) ** 3, Dual(-8.0, 12.0))
 
 
-@pytest.mark.parametrize("mate", [EPSILON, Dual(0.0), Dual([1.0, 0.0], [1.0, 1.0]),
-                                  Dual(Series([0.0, 1.0]), 1.0)])  # fmt: skip
+@pytest.mark.parametrize(
+    "mate",
+    [EPSILON, Dual(0.0), Dual([1.0, 0.0], [1.0, 1.0]), Dual(Series([0.0, 1.0]), 1.0)],
+)
 def test_division_by_a_pure_dual_is_refused_with_the_reason(mate):
     for divide in (
         lambda: Dual(1.0, 2.0) / mate,
@@ -235,6 +244,19 @@ def test_numbers_and_arrays_on_either_side(ufunc, other):
 
 
 T, S = sympy.symbols("t s", real=True)
+SYMPY = SimpleNamespace(
+    sqrt=sympy.sqrt,
+    sin=sympy.sin,
+    exp=sympy.exp,
+    log=sympy.log,
+    tan=sympy.tan,
+    tanh=sympy.tanh,
+    cosh=sympy.cosh,
+    sinh=sympy.sinh,
+    arccos=sympy.acos,
+    arctan2=sympy.atan2,
+)
+"""What a formula written for numpy needs of SymPy."""
 
 
 @pytest.mark.parametrize(
@@ -255,18 +277,15 @@ def test_dual_over_series_is_the_expansion_in_two_variables(function):
     parts = [1 + T / 2 + T**2 / 3, T - 2 * T**2, sympy.Rational(2, 5) - T / 3, 1 - T + T**2 / 4]
     a, a_, b, b_ = (_series(p) for p in parts)
     got = function(Dual(a, a_), Dual(b, b_), np)
-    names = {"arctan2": sympy.atan2, "arccos": sympy.acos}
-    library = type("M", (), {n: staticmethod(names.get(n) or getattr(sympy, n)) for n in
-                             ["sqrt", "sin", "exp", "log", "arctan2", "arccos", "tan", "tanh", "cosh", "sinh"]})  # fmt: skip
-    f = function(parts[0] + S * parts[1], parts[2] + S * parts[3], library)
+    f = function(parts[0] + S * parts[1], parts[2] + S * parts[3], SYMPY)
     for part, expression in ((got.real, f.subs(S, 0)), (got.dual, sympy.diff(f, S).subs(S, 0))):
-        for k in range(4):
+        for k in range(3):
             exact = sympy.diff(expression, T, k).subs(T, 0).evalf(20) / math.factorial(k)
             assert part.coefficients[k] == pytest.approx(float(exact), rel=1e-12, abs=1e-13)
 
 
 def _series(polynomial):
-    return Series([float(polynomial.coeff(T, k)) for k in range(4)])
+    return Series([float(polynomial.coeff(T, k)) for k in range(3)])
 
 
 def test_plain_series_mix_with_duals():
@@ -315,12 +334,14 @@ def test_what_has_no_meaning_is_refused():
 # -- vectors --------------------------------------------------------------------------------------
 
 
+@few
 @given(dual_vectors, dual_vectors)
 def test_identity_of_lagrange_holds_exactly(a, b):
     product = cross(a, b)
     same(inner(product, product), inner(a, a) * inner(b, b) - inner(a, b) * inner(a, b))
 
 
+@few
 @given(dual_vectors, dual_vectors, dual_vectors)
 def test_cross_product_is_normal_antisymmetric_and_satisfies_jacobi(a, b, c):
     same(inner(cross(a, b), a), Dual(0.0))
@@ -333,6 +354,7 @@ def test_cross_product_is_normal_antisymmetric_and_satisfies_jacobi(a, b, c):
     )
 
 
+@few
 @given(dual_vectors, dual_vectors, dual_vectors, duals)
 def test_products_are_bilinear_over_the_dual_numbers(a, b, c, scale):
     same(inner(a, b), inner(b, a))
@@ -342,18 +364,21 @@ def test_products_are_bilinear_over_the_dual_numbers(a, b, c, scale):
     same(cross(a + c, b), cross(a, b) + cross(c, b))
 
 
+@few
 @given(directed, units)
 def test_norm_is_multiplicative(a, scale):
     close(norm(scale * a), abs(scale) * norm(a), atol=1e-9)
     close(norm(a) ** 2, inner(a, a), atol=1e-9)
 
 
+@few
 @given(directed)
 def test_norm_has_the_dual_part_of_its_definition(a):
     length = np.linalg.norm(a.real)
     close(norm(a), Dual(length, a.real @ a.dual / length), atol=1e-10)
 
 
+@few
 @given(directed)
 def test_normalised_vectors_are_lines(a):
     unit = normalize(a)
@@ -400,9 +425,8 @@ def test_batches_and_other_axes():
     np.testing.assert_allclose(np.moveaxis(unit.dual, 0, -1), expected.dual, rtol=1e-12)
 
 
-@settings(max_examples=20)
-@given(arrays(float, (4, 2, 3), elements=whole), arrays(float, (4, 2, 3), elements=whole),
-       st.sampled_from([-1, 1]))  # fmt: skip
+@few
+@given(*[arrays(float, (4, 2, 3), elements=whole)] * 2, st.sampled_from([-1, 1]))
 def test_vectors_of_series_obey_the_product_rule(p, q, axis):
     """Derivatives of ⟨a, b⟩ and a × b for parts that move with t."""
     a, b = (Dual(Series(c), Series(c[::-1])) for c in (p, q))

@@ -207,6 +207,14 @@ def test_partials_of_a_constant_are_zeros_of_the_right_shape() -> None:
 def test_whole_powers_are_smooth_at_zero_and_below(text: str, place: float) -> None:
     series = field(text)(Series.variable(place, 3), 1.0)
     assert_allclose(series.derivatives(), [place**2, 2 * place, 2, 0], atol=1e-15)
+    assert_allclose(field(text).partials(place, 1.0), [2 * place, 0], atol=1e-15)
+    assert field(text)(np.array([place]), 1.0) == place**2
+
+
+def test_whole_negative_powers_below_zero() -> None:
+    series = field("u**-2")(Series.variable(-2.0, 2), 0.0)
+    assert_allclose(series.derivatives(), [1 / 4, 2 / 8, 6 / 16])
+    assert field("u**-3").partials(-2.0, 0.0)[0] == pytest.approx(-3 / 16)
 
 
 def test_dual_argument_gives_the_dual_value() -> None:
@@ -251,6 +259,7 @@ def test_a_field_passes_through_and_cannot_be_changed() -> None:
     first = field("u - v", "ubar")
     assert field(first, "vbar") is first
     assert field("u + v") != first
+    assert field("(u - v)") != first
     assert first != "u - v"
     with pytest.raises(dataclasses.FrozenInstanceError):
         first.text = "v"  # type: ignore[misc]

@@ -201,6 +201,21 @@ def test_a_refused_request_drawn_again_is_still_an_answer(pad, sent):
     assert [s[0]["state"]["picture"]["seen"] for s in sent] == [{"a": 4}]
 
 
+def test_a_drag_nobody_answers_ends_where_the_last_scene_has_the_point(pad, sent):
+    motion(pad, 1)
+    assert sent == []
+    message(pad, "end", 2, drag=1)
+    picture = sent[-1][0]["state"]["picture"]
+    assert (len(sent), picture["seen"]) == (1, {"a": 2})
+    assert bytes(sent[-1][1][0]) == POINTS.tobytes()
+
+
+def test_an_answered_end_is_answered_once(pad, sent):
+    pad.on_request(lambda request: pad.draw(scene(POINTS + 1)))
+    message(pad, "end", 1, drag=1)
+    assert len(sent) == 1
+
+
 def test_choosing_the_chosen_point_again_is_answered(pad, sent):
     message(pad, "choose", 9, index=pad.chosen)
     assert sent[-1][0]["state"]["picture"]["seen"] == {"a": 9}

@@ -45,9 +45,6 @@ MOST_BRACKETS = 50
 DEEPEST = 100
 """Operations that may stand inside one another, a sum of n terms counting n − 1."""
 
-LARGEST_INTEGER_POWER = 1024
-"""Whole constant exponents up to this size are powers by multiplication, for any base."""
-
 _Function = Callable[[Any, Any], Any]
 _Part = float | _Function
 
@@ -197,7 +194,7 @@ def field(value: Any, name: str = "field") -> Field:
     -----
     Formulas have ``+ - * / ** ( )``, numbers, ``pi`` (or π), ``e``, ``u``, ``v`` and sqrt exp log
     sin cos tan arcsin arccos arctan arctan2 sinh cosh tanh abs (asin, acos, atan, atan2 too).
-    Angles are in radians. A whole constant exponent is a repeated product, so u**2 is smooth
+    Angles are in radians. A whole constant exponent (to 1024) is a product, so u**2 is smooth
     through u = 0; any other power is a real one, a**b = exp(b log a), and needs a > 0.
     """
     if isinstance(value, Field):
@@ -751,6 +748,7 @@ def _operands(node: ast.expr, source: _Source) -> list[ast.expr]:
     raise source.error(node.col_offset, "this is not part of a formula", _KNOWN)
 
 
+# A constant exponent stays a plain number: arrays, Series and Dual all take whole ones as products.
 _BINARY: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
@@ -817,9 +815,6 @@ def _binary(node: ast.BinOp, source: _Source) -> _Part:
     left, right = _build(node.left, source), _build(node.right, source)
     if isinstance(node.op, ast.Div) and right == 0.0:
         _undefined(node, source, "divides by zero")
-    if isinstance(node.op, ast.Pow) and isinstance(right, float) and right.is_integer():
-        exponent = int(right) if abs(right) <= LARGEST_INTEGER_POWER else right
-        return _applied(lambda base: base**exponent, left)
     return _applied(_BINARY[type(node.op)], left, right)
 
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from .checks import CYLINDRICAL, STILL, Array
+from .checks import CYLINDRICAL, STILL, TORSAL, Array
 from .series import Series, sine_cosine
 
 Flags = npt.NDArray[np.bool_]
@@ -119,13 +119,16 @@ def measure(jet: Jet) -> tuple[Array, Flags]:
 
     With κκ̄ = ⟨x′, x̄′⟩, n = x × x′ and n̄ = x̄ × x′ + x × x̄′:
     κ²τ = ⟨n, x″⟩ and κ²τ̄ = ⟨n̄, x″⟩ + ⟨n, x̄″⟩ − 2τκκ̄ (paper, (6)). Undefined values are NaN.
+    On a torsal ruling κ̄ is exactly 0: left as rounding it would make σ flicker between 0 and 2π.
     """
     (x, x1, x2), (y, y1, y2) = jet.direction, jet.moment
     kappa = np.sqrt(dot(x1, x1))
     cylindrical = kappa <= CYLINDRICAL * np.asarray(jet.scale)
     size = np.where(cylindrical, np.nan, kappa)
     square = size * size
+    lengths = np.sqrt(np.einsum("kai...,kai...->ka...", jet.rows, jet.rows))
     kappa_bar = dot(x1, y1) / size
+    kappa_bar[np.abs(kappa_bar) <= TORSAL * lengths[1, 1]] = 0.0
     kappa_prime = dot(x1, x2) / size
     kappa_bar_prime = (dot(x2, y1) + dot(x1, y2) - kappa_bar * kappa_prime) / size
     delta = kappa_bar / size
@@ -133,16 +136,15 @@ def measure(jet: Jet) -> tuple[Array, Flags]:
     tau = dot(normal, x2) / square
     twist = dot(cross(y, x1) + cross(x, y1), x2) + dot(normal, y2)
     tau_bar = twist / square - 2.0 * tau * delta
-    terms = _terms(jet, size)
+    terms = _terms(lengths, size)
     still = (np.hypot(kappa_bar, tau_bar) <= STILL * terms) & np.isfinite(terms)
     sigma = _striction_angle(kappa_bar, tau_bar, still)
     values = np.stack([kappa, kappa_bar, tau, tau_bar, sigma, delta, kappa_prime, kappa_bar_prime])
     return _blanked(values, np.stack([cylindrical, still, np.broadcast_to(jet.pole, still.shape)]))
 
 
-def _terms(jet: Jet, size: Array) -> Array:
+def _terms(lengths: Array, size: Array) -> Array:
     """Return the size of the terms that cancel in κ̄ and τ̄: the yardstick for m′ = 0."""
-    lengths = np.sqrt(np.einsum("kai...,kai...->ka...", jet.rows, jet.rows))
     turning = lengths[2, 0] / size
     result: Array = lengths[0, 1] * turning + lengths[2, 1] / size
     return np.asarray(result + lengths[1, 1] * (1.0 + turning / size))

@@ -149,8 +149,9 @@ class Line:
 
     def point(self, w: npt.ArrayLike) -> Array:
         """Return foot + w x, shape (…, 3); the length ``w`` broadcasts against `shape`."""
-        steps = finite_array(w, "w")[..., np.newaxis]
-        return self.foot + steps * self.direction
+        steps = finite_array(w, "w")
+        _require_broadcast({"w": steps.shape, "line": self.shape})
+        return self.foot + steps[..., np.newaxis] * self.direction
 
     def reversed(self) -> Line:
         """Return the same lines with the opposite orientation, −X."""
@@ -159,6 +160,7 @@ class Line:
     def distance_to(self, point: npt.ArrayLike) -> Array:
         """Return the distance ‖p × x − x̄‖ of ``point``, shape (…, 3), from the line."""
         (p,) = _vectors(point=point)
+        _require_broadcast({"point": p.shape[:-1], "line": self.shape})
         distance: Array = np.linalg.norm(cross(p, self.direction) - self.moment, axis=-1)
         return distance
 
@@ -176,9 +178,13 @@ class Line:
         """
         matrix = _rotation(rotation)
         (t,) = _vectors(translation=translation)
+        _require_broadcast(
+            {"rotation": matrix.shape[:-2], "translation": t.shape[:-1], "line": self.shape}
+        )
         turned = _turned(matrix, self.direction)
         x = turned / _length(turned)
-        return Line.unchecked(x, _less_along(_turned(matrix, self.moment) + cross(t, x), x))
+        moment = _less_along(_turned(matrix, self.moment) + cross(t, x), x)
+        return Line.unchecked(np.broadcast_to(x, moment.shape), moment)
 
     def __getitem__(self, key: Any) -> Line:
         """Index the batch: ``line[i]`` is the i-th line."""

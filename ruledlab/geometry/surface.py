@@ -6,6 +6,8 @@ r(t, w) = m(t) + w x(t), with m the striction curve. The line X = x + ε x̄ at 
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -13,14 +15,14 @@ import numpy as np
 import numpy.typing as npt
 
 from . import closed
-from .checks import CYLINDRICAL, POLE, Array, GeometryError, finite_array
+from .checks import CYLINDRICAL, POLE, Array, GeometryError, finite_array, frozen
 from .dual import Dual
 from .field import Field, field
 from .jet import FLAGS, QUANTITIES, Jet, cross, dot, measure, striction, study
 from .line import Line
 from .series import Series
 
-__all__ = ["Curvature", "Curve", "Invariants", "RuledSurface", "Undefined"]
+__all__ = ["Curvature", "Curve", "FundamentalForms", "Invariants", "RuledSurface", "Undefined"]
 
 BLOCK = 2048
 """Values of t that are worked on at once: few enough to stay in the processor's cache."""
@@ -102,7 +104,8 @@ class Invariants:
     def undefined(self) -> tuple[Undefined, ...]:
         """Which values are NaN, where and why; empty where all are defined."""
         cylindrical, still, pole = (self._flags[FLAGS.index(name)] for name in FLAGS)
-        domain = np.isnan(self.tau_bar) & ~(cylindrical | pole)
+        broken = np.isnan(self.tau_bar) | np.isnan(self.kappa_bar_prime)
+        domain = broken & ~(cylindrical | pole)
         reports = (
             Undefined(
                 QUANTITIES,
@@ -133,7 +136,11 @@ class Invariants:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Curvature:
-    """Gauss and mean curvature, each of shape (*batch, *t.shape, *w.shape)."""
+    """Gauss and mean curvature, each of shape (*batch, *t.shape, *w.shape).
+
+    NaN at the striction point of a torsal ruling (κ̄ = w = 0), where there is no tangent plane, and
+    along rulings whose κ̄ or τ̄ is undefined, for the reasons in `Invariants.undefined`.
+    """
 
     gauss: Array
     mean: Array
@@ -235,14 +242,13 @@ class RuledSurface:
         """Return κ, κ̄, τ, τ̄, σ, δ, κ′ and κ̄′ at t."""
         t = finite_array(t, "t")
         values, flags = self._measured(t)
-        dual_part = f"ū = {self._ubar.text}, v̄ = {self._vbar.text}"
-        return Invariants(
-            t, **dict(zip(QUANTITIES, values, strict=True)), _flags=flags, _dual_part=dual_part
-        )
+        values.flags.writeable = False
+        named = dict(zip(QUANTITIES, values, strict=True))
+        ubar, vbar = (chosen.text or "a Python function" for chosen in (self._ubar, self._vbar))
+        return Invariants(frozen(t), **named, _flags=flags, _dual_part=f"ū = {ubar}, v̄ = {vbar}")
 
     def _measured(self, t: Array) -> tuple[Array, npt.NDArray[np.bool_]]:
-        flat, batch = t.reshape(-1), self._curve.batch_shape
-        block = max(1, BLOCK // max(1, int(np.prod(batch))))
+        flat, batch, block = t.reshape(-1), self._curve.batch_shape, self._block
         with np.errstate(all="ignore"):
             if flat.size <= block:
                 values, flags = measure(self.jet(flat))
@@ -255,52 +261,67 @@ class RuledSurface:
         shape = (*batch, *t.shape)
         return values.reshape(-1, *shape), flags.reshape(-1, *shape)
 
+    @property
+    def _block(self) -> int:
+        """How many values of t to work on at once, over the whole batch."""
+        return max(1, BLOCK // max(1, math.prod(self._curve.batch_shape)))
+
+    def _mapped(self, t: npt.ArrayLike, order: int, function: Callable[[Jet], Array]) -> Array:
+        """Return what the function makes of the jet at t, (…, *batch, *t.shape), block by block."""
+        t = finite_array(t, "t")
+        flat, block = t.reshape(-1), self._block
+        with np.errstate(all="ignore"):
+            values = function(self.jet(flat[:block], order))
+            if flat.size > block:
+                head, values = values, np.empty((*values.shape[:-1], flat.size))
+                values[..., :block] = head
+                for start in range(block, flat.size, block):
+                    part = slice(start, start + block)
+                    values[..., part] = function(self.jet(flat[part], order))
+        return values.reshape(values.shape[:-1] + t.shape)
+
     def line(self, t: npt.ArrayLike) -> Line:
         """Return the rulings X(t) as oriented lines: ``.direction``, ``.moment`` (…, 3).
 
         Entries are NaN where ū or v̄ is undefined.
         """
-        x, y = self.jet(finite_array(t, "t"), 0).rows[0]
+        x, y = self._mapped(t, 0, lambda jet: jet.rows[0])
         return Line.unchecked(_last(x), _last(y))
 
     def foot(self, t: npt.ArrayLike) -> Array:
         """Return (…, 3) the point c = x × x̄ of each ruling nearest to the origin."""
-        x, y = self.jet(finite_array(t, "t"), 0).rows[0]
-        return _last(cross(x, y))
+        return _last(self._mapped(t, 0, lambda jet: cross(jet.direction[0], jet.moment[0])))
 
     def striction(self, t: npt.ArrayLike) -> Array:
         """Return (…, 3) the striction point m = c − (⟨x′, c′⟩/⟨x′, x′⟩) x; NaN where κ = 0."""
-        with np.errstate(all="ignore"):
-            return _last(striction(self.jet(finite_array(t, "t"), 1)))
+        return _last(self._mapped(t, 1, striction))
 
     def frame(self, t: npt.ArrayLike) -> Array:
         """Return (…, 3, 3) the frame with rows x₁ = x, x₂ = x′/κ, x₃ = x₁ × x₂ (paper, (4)).
 
         x₂ and x₃ are NaN where κ = 0. The three lines X₁, X₂, X₃ meet in the striction point.
         """
-        jet = self.jet(finite_array(t, "t"), 1)
-        return _frame(jet)
+        return np.moveaxis(self._mapped(t, 1, _frame), (0, 1), (-2, -1))
 
     # -- the patch -------------------------------------------------------------------------------
 
     def points(self, t: npt.ArrayLike, w: npt.ArrayLike) -> Array:
         """Return (…, *t.shape, *w.shape, 3) the points m(t) + w x(t); NaN where κ = 0."""
         w = finite_array(w, "w")
-        jet = self.jet(finite_array(t, "t"), 1)
+        m, x = self._mapped(t, 1, lambda jet: np.stack([striction(jet), jet.direction[0]]))
         with np.errstate(all="ignore"):
-            m, x = _spread(striction(jet), w), _spread(jet.direction[0], w)
-            return _last(m + w * x)
+            return _last(_spread(m, w) + w * _spread(x, w))
 
     def fundamental_forms(self, t: npt.ArrayLike, w: npt.ArrayLike) -> FundamentalForms:
         """Return both fundamental forms and the unit normal on m + w x (paper, §2.4, mended).
 
         With W² = κ̄² + w²κ²: n = (κ̄x₂ − wκx₃)/W, g₁₁ = τ̄² + W², g₁₂ = τ̄, g₂₂ = 1,
         h₁₁ = [κ̄(κτ̄ + wκ′ − κ̄τ) − wκ(wκτ + κ̄′)]/W, h₁₂ = κκ̄/W, h₂₂ = 0.
-        NaN at W = 0: the striction point of a torsal ruling.
+        NaN at W = 0: the striction point of a torsal ruling, where there is no tangent plane.
         """
         t, w = finite_array(t, "t"), finite_array(w, "w")
         values, _ = self._measured(t)
-        frame = np.moveaxis(_frame(self.jet(t, 1)), (-2, -1), (0, 1))
+        frame = self._mapped(t, 1, _frame)
         k, kb, tau, tb, _, _, dk, dkb = (_spread(row, w) for row in values)
         x2, x3 = _spread(frame[1], w), _spread(frame[2], w)
         with np.errstate(all="ignore"):
@@ -396,11 +417,11 @@ def _spread(values: Array, w: Array) -> Array:
 
 
 def _frame(jet: Jet) -> Array:
+    """Return (3, 3, …) the vectors x₁, x₂, x₃."""
     x, x1 = jet.direction[:2]
-    with np.errstate(all="ignore"):
-        kappa = np.sqrt(dot(x1, x1))
-        x2 = x1 / np.where(kappa <= CYLINDRICAL * np.asarray(jet.scale), np.nan, kappa)
-    return np.stack([_last(x), _last(x2), _last(cross(x, x2))], axis=-2)
+    kappa = np.sqrt(dot(x1, x1))
+    x2 = x1 / np.where(kappa <= CYLINDRICAL * np.asarray(jet.scale), np.nan, kappa)
+    return np.stack([x, x2, cross(x, x2)])
 
 
 def _area(kappa: Array, kappa_bar: Array, w: Array) -> Array:

@@ -67,7 +67,8 @@ class DomainPad(anywidget.AnyWidget):
     """Show the chart of the unit sphere and take the reader's hand.
 
     The pad changes no design: it reports requests (`on_request`) and shows what it is given
-    (`draw`). Call `draw` after every request, a refused one too, so that the handle returns.
+    (`draw`). A handle stays where the reader holds it until a drag ends; then it goes where the
+    scene drawn last has it, so a move that was refused or corrected is seen to be so.
 
     Attributes
     ----------
@@ -213,6 +214,9 @@ class DomainPad(anywidget.AnyWidget):
             self._choose(index)
         for listener in tuple(self._listeners):
             listener(request)
+        if kind == "end":
+            with self._lock:
+                self._send_picture()  # sends nothing if a listener has drawn
 
     def _is_news(self, view: str, seq: int) -> bool:
         # The widget layer holds a move back while the kernel is busy, an "end" not: the last move

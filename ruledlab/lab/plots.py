@@ -288,7 +288,7 @@ def angle_ticks(limits: Limits, most: int) -> Ticks:
     return tuple((k * step, _turn(Fraction(k * halves, 2))) for k in _multiples(limits, step))
 
 
-def _parameter_ticks(across: Limits, most: int) -> Ticks:
+def parameter_ticks(across: Limits, most: int) -> Ticks:
     """Return ticks of t: by π where t runs between multiples of π/2, else by round numbers."""
     ends = (across.low / (math.pi / 2), across.high / (math.pi / 2))
     by_angle = all(abs(end - round(end)) < 1e-9 for end in ends)
@@ -351,7 +351,7 @@ def _furnish(axes: Axes, strip: _Strip) -> None:
     axes.set_xlim(strip.across.low, strip.across.high)
     axes.set_ylim(strip.limits.low, strip.limits.high)
     most = max(2, (strip.width - _LEFT - _RIGHT) // 72)
-    columns = _parameter_ticks(strip.across, most)
+    columns = parameter_ticks(strip.across, most)
     rows = (angle_ticks if strip.quantity.angle else number_ticks)(strip.limits, 5)
     _rule(axes, [x for x, _ in columns], [y for y, _ in rows], strip.theme)
     _write_rows(axes, rows, strip)

@@ -11,14 +11,21 @@ ruling k. Its rows (xyz; alpha) are
 3     rate x′ of the direction  number of rulings
 4     striction point m         1 if m is finite, otherwise 0
 5     control direction k       1 if there is a k-th control point
+6 …   scalars, see below
 ====  ========================  =========================================
 
 A direction that is not finite is 0. The texture may be wider than the number of rulings, and a
 mesh may have more rows than there are rulings: each row takes the nearest ruling, so that one mesh
 serves many sizes and the number of rulings changes together with the rulings themselves.
 
+Scalars are bytes, three to a number and so twelve to a texel: 0 means undefined, 1 to 255 the
+place on the colour scale.
+
 The texture ``mark`` holds the cursor in one row: base (alpha: w at one end), x₁, x₂, x₃ and m
-(alpha: 1 if finite), then (chosen control point, arrow length, w at the other end).
+(alpha: 1 if finite), then (arrow length, w at the other end).
+
+No program reads more than one texture: pythreejs 2.4 gives every texture among the uniforms of a
+material the name of the last uniform, so there can be one, and it has to be the last.
 
 Lines are ribbons: their vertices are moved sideways in pixels after projection, because WebGL
 draws its own lines one pixel wide. A ribbon is clipped at the near plane before it is widened; a
@@ -27,32 +34,48 @@ ruling that runs past the eye would otherwise turn inside out.
 
 from __future__ import annotations
 
+import itertools
+
 ROWS = 6
 MARKS = 6
-CONTROL_KIND, CURSOR_KIND, STUB_KIND = 0, 1, 2
+BYTES = 12  # scalars in a texel
+DOT_KIND, STUB_KIND = 0, 1
 LINE_KIND, HEAD_KIND, DISC_KIND, LABEL_KIND = 0, 1, 2, 3
 
-_READ = f"""
-uniform highp sampler2D rulings;
-uniform highp sampler2D mark;
-uniform float columns;    // width of the texture
+_SCREEN = """
 uniform vec2 viewport;    // pixels
 const vec4 HIDDEN = vec4(2.0, 2.0, 2.0, 1.0);
+"""
 
-vec4 texel(float column, float row) {{
-  return texture2D(rulings, (vec2(column, row) + 0.5) / vec2(columns, {ROWS}.0));
-}}
+_RULINGS = (
+    _SCREEN
+    + """
+uniform highp sampler2D rulings;
+uniform vec2 extent;      // width and height of the texture
+
+vec4 texel(float column, float row) {
+  return texture2D(rulings, (vec2(column, row) + 0.5) / extent);
+}
+float columnAt(float fraction) {
+  return floor(fraction * (texel(0.0, 3.0).a - 1.0) + 0.5);
+}
+"""
+)
+
+_MARK = (
+    _SCREEN
+    + f"""
+uniform highp sampler2D mark;
+
 vec4 marked(float column) {{
   return texture2D(mark, vec2((column + 0.5) / {MARKS}.0, 0.5));
 }}
-float columnAt(float fraction) {{
-  return floor(fraction * (texel(0.0, 3.0).a - 1.0) + 0.5);
-}}
 """
+)
 
 _WORLD = """
 uniform vec3 lens;        // shift of the picture in clip space, scale
-uniform float pull;       // how far towards the eye, as a part of the distance
+uniform float pull;       // how far towards the eye, as a part of the distance: who lies on top
 
 vec4 toEye(vec3 point) {
   vec4 seen = modelViewMatrix * vec4(point, 1.0);
@@ -113,32 +136,34 @@ vec4 onGlobe(vec3 seen) {
 """
 
 SURFACE_VERTEX = (
-    _READ
+    _RULINGS
     + _WORLD
     + """
 attribute vec2 place;     // fraction along t, fraction along the ruling
-uniform sampler2D colours;
-uniform vec3 colouring;   // on or off, values per ruling, width of the texture
+uniform float scalars;    // how many along a ruling; 0 for a plain surface
 varying vec3 vRate;
 varying vec3 vDirection;
 varying vec3 vSeen;
 varying vec2 vScalar;
 varying float vValid;
 
-// byte 0 stands for "undefined", 1 to 255 for the scale; four values share a texel
 vec2 scalar(float column, float index) {
-  float cell = floor(index / 4.0);
-  float part = index - 4.0 * cell;
-  vec4 four = texture2D(colours, (vec2(cell, column) + 0.5) / vec2(colouring.z, columns));
-  vec4 mine = 1.0 - step(0.5, abs(vec4(0.0, 1.0, 2.0, 3.0) - part));
-  float byte = floor(255.0 * dot(four, mine) + 0.5);
+  float cell = floor((index + 0.5) / 12.0);
+  float inCell = index - 12.0 * cell;
+  float number = floor((inCell + 0.5) / 3.0);
+  vec4 mine = 1.0 - step(0.5, abs(vec4(0.0, 1.0, 2.0, 3.0) - number));
+  float three = dot(texel(column, 6.0 + cell), mine);
+  float place = inCell - 3.0 * number;
+  float divisor = place < 0.5 ? 1.0 : (place < 1.5 ? 256.0 : 65536.0);
+  float rest = floor(three / divisor);
+  float byte = rest - 256.0 * floor(rest / 256.0);
   float known = step(0.5, byte);
   return vec2(known * (byte - 1.0) / 254.0, known);
 }
 vec2 scalarAt(float column, float fraction) {
-  float index = fraction * (colouring.y - 1.0);
-  float low = min(floor(index), max(colouring.y - 2.0, 0.0));
-  return mix(scalar(column, low), scalar(column, min(low + 1.0, colouring.y - 1.0)), index - low);
+  float index = fraction * (scalars - 1.0);
+  float low = min(floor(index + 1e-4), max(scalars - 2.0, 0.0));
+  return mix(scalar(column, low), scalar(column, min(low + 1.0, scalars - 1.0)), index - low);
 }
 void main() {
   float column = columnAt(place.x);
@@ -150,9 +175,13 @@ void main() {
   vec4 seen = toEye(base.xyz + w * direction.xyz);
   vRate = (modelViewMatrix * vec4(baseRate.xyz + w * directionRate.xyz, 0.0)).xyz;
   vDirection = (modelViewMatrix * vec4(direction.xyz, 0.0)).xyz;
+  // where a surface covers itself twice, the front shows: its two sides would flicker otherwise
+  vec3 normal = cross(vRate, vDirection);
+  float facing = -dot(normal, seen.xyz) / max(length(normal) * length(seen.xyz), 1e-20);
+  seen.xyz *= 1.0 - 0.0012 * clamp(10.0 * facing, 0.0, 1.0);
   vSeen = seen.xyz;
   vValid = base.a;
-  vScalar = colouring.x > 0.5 ? scalarAt(column, place.y) : vec2(0.0);
+  vScalar = scalars > 0.5 ? scalarAt(column, place.y) : vec2(0.0);
   gl_Position = toClip(seen);
 }
 """
@@ -162,9 +191,15 @@ SURFACE_FRAGMENT = """
 uniform vec3 frontColour;
 uniform vec3 backColour;
 uniform vec3 missingColour;
-uniform vec3 colouring;
+uniform float scalars;
 uniform float gloss;
-uniform sampler2D ramp;
+uniform vec3 stop0;       // the colour map, evenly spaced
+uniform vec3 stop1;
+uniform vec3 stop2;
+uniform vec3 stop3;
+uniform vec3 stop4;
+uniform vec3 stop5;
+uniform vec3 stop6;
 varying vec3 vRate;
 varying vec3 vDirection;
 varying vec3 vSeen;
@@ -173,8 +208,13 @@ varying float vValid;
 
 vec3 scaled(vec2 scalar) {
   if (scalar.y < 0.5) return missingColour;
-  float value = clamp(scalar.x / scalar.y, 0.0, 1.0);
-  return texture2D(ramp, vec2((255.0 * value + 0.5) / 256.0, 0.5)).rgb;
+  float value = 6.0 * scalar.x / scalar.y;
+  vec3 colour = mix(stop0, stop1, clamp(value, 0.0, 1.0));
+  colour = mix(colour, stop2, clamp(value - 1.0, 0.0, 1.0));
+  colour = mix(colour, stop3, clamp(value - 2.0, 0.0, 1.0));
+  colour = mix(colour, stop4, clamp(value - 3.0, 0.0, 1.0));
+  colour = mix(colour, stop5, clamp(value - 4.0, 0.0, 1.0));
+  return mix(colour, stop6, clamp(value - 5.0, 0.0, 1.0));
 }
 void main() {
   if (vValid < 0.999) discard;
@@ -185,7 +225,7 @@ void main() {
   float front = smoothstep(-0.03, 0.03, facing);
   normal *= facing < 0.0 ? -1.0 : 1.0;
   vec3 colour = mix(backColour, frontColour, front);
-  if (colouring.x > 0.5) colour = scaled(vScalar) * mix(0.78, 1.0, front);
+  if (scalars > 0.5) colour = scaled(vScalar) * mix(0.78, 1.0, front);
   vec3 key = normalize(vec3(-0.40, 0.62, 0.68));
   float wrapped = 0.5 + 0.5 * dot(normal, key);
   float shade = 0.50 + 0.56 * wrapped * wrapped + 0.10 * abs(facing);
@@ -213,7 +253,7 @@ void main() {
 """
 
 LATTICE_VERTEX = (
-    _READ
+    _RULINGS
     + _WORLD
     + _RIBBON
     + _CLIPPED
@@ -229,7 +269,7 @@ vec4 site(vec2 place) {   // (column, fraction along the ruling)
 )
 
 STRICTION_VERTEX = (
-    _READ
+    _RULINGS
     + _WORLD
     + _RIBBON
     + _CLIPPED
@@ -255,7 +295,7 @@ void main() {
 """
 
 MARK_VERTEX = (
-    _READ
+    _MARK
     + _WORLD
     + _RIBBON
     + _CLIPPED
@@ -291,7 +331,7 @@ vec4 label(vec4 from, vec4 to) {{
   return moved(b, 13.0 * heading(a, b) + LABEL * corner * vec2(1.25, 1.0));
 }}
 vec4 arrow(float item, float kind, vec3 origin) {{
-  vec3 tip = origin + marked(5.0).y * marked(item).xyz;
+  vec3 tip = origin + marked(5.0).x * marked(item).xyz;
   vec4 from = toEye(origin);
   vec4 to = toEye(tip);
   if (max(from.z, to.z) > frontPlane()) return HIDDEN;
@@ -307,7 +347,7 @@ vec4 ruling() {{
   vec4 base = marked(0.0);
   vec3 direction = marked(1.0).xyz;
   vec4 from = toEye(base.xyz + base.a * direction);
-  vec4 to = toEye(base.xyz + marked(5.0).z * direction);
+  vec4 to = toEye(base.xyz + marked(5.0).y * direction);
   return worldRibbon(from, to, corner, 3.0, 0.0);
 }}
 vec4 placed(float item, float kind) {{
@@ -327,13 +367,46 @@ void main() {{
 """
 )
 
-MARK_FRAGMENT = f"""
+_CROSS = (((-0.95, 0.38), (-0.30, -0.42)), ((-0.95, -0.42), (-0.30, 0.38)))
+_ONE = (((0.10, -0.15), (0.30, 0.02), (0.30, -0.70)),)
+_TWO = (((0.08, -0.10), (0.24, 0.02), (0.43, -0.12), (0.36, -0.32), (0.08, -0.70), (0.47, -0.70)),)
+_THREE = (((0.08, 0.0), (0.43, 0.0), (0.24, -0.30), (0.44, -0.45), (0.36, -0.67), (0.08, -0.65)),)
+
+
+def _distance(*paths: tuple[tuple[float, float], ...]) -> str:
+    """Return the GLSL expression of the distance of ``p`` from polylines."""
+    pairs = [pair for path in paths for pair in itertools.pairwise(path)]
+    text = "9.0"
+    for (a, b), (c, d) in pairs:
+        text = f"min({text}, segment(p, vec2({a}, {b}), vec2({c}, {d})))"
+    return text
+
+
+_LETTERS = f"""
+float segment(vec2 p, vec2 a, vec2 b) {{
+  vec2 way = b - a;
+  return length(p - a - way * clamp(dot(p - a, way) / dot(way, way), 0.0, 1.0));
+}}
+float digit(vec2 p, float which) {{
+  if (which < 1.5) return {_distance(*_ONE)};
+  if (which < 2.5) return {_distance(*_TWO)};
+  return {_distance(*_THREE)};
+}}
+// distance from the strokes of x with the index 1, 2 or 3
+float letter(vec2 p, float which) {{
+  return min({_distance(*_CROSS)}, digit(p, which));
+}}
+"""
+
+MARK_FRAGMENT = (
+    _LETTERS
+    + f"""
 uniform vec3 casing;
 uniform float strength;
-uniform sampler2D letters;
 varying vec3 vColour;
 varying vec2 vCorner;
 varying vec2 vKind;
+const float LABEL = 9.0;
 
 void disc() {{
   float radius = length(vCorner);
@@ -342,11 +415,10 @@ void disc() {{
   gl_FragColor = vec4(mix(vColour, casing, smoothstep(0.58, 0.74, radius)), strength * inside);
 }}
 void label() {{
-  vec2 place = vec2((vKind.y - 1.0 + 0.5 + 0.5 * vCorner.x) / 3.0, 0.5 - 0.5 * vCorner.y);
-  float far = texture2D(letters, place).a;
-  float halo = smoothstep(0.28, 0.52, far);
+  float far = LABEL * letter(vec2(1.25, 1.0) * vCorner, vKind.y);
+  float halo = 1.0 - smoothstep(2.0, 3.2, far);
   if (halo < 0.02) discard;
-  gl_FragColor = vec4(mix(casing, vColour, smoothstep(0.66, 0.80, far)), strength * halo);
+  gl_FragColor = vec4(mix(vColour, casing, smoothstep(0.5, 1.3, far)), strength * halo);
 }}
 void main() {{
   if (vKind.x > {DISC_KIND}.5) {{ label(); return; }}
@@ -356,9 +428,10 @@ void main() {{
   gl_FragColor = vec4(mix(vColour, casing, edge), strength);
 }}
 """
+)
 
 GLOBE_VERTEX = (
-    _READ
+    _SCREEN
     + _GLOBE
     + """
 attribute vec2 corner;
@@ -419,7 +492,7 @@ void main() {
 """
 
 IMAGE_VERTEX = (
-    _READ
+    _RULINGS
     + _RIBBON
     + _GLOBE
     + """
@@ -455,72 +528,85 @@ void main() {
 }
 """
 
-POINTS_VERTEX = (
-    _READ
+CONTROLS_VERTEX = (
+    _RULINGS
     + _RIBBON
     + _GLOBE
-    + f"""
-attribute vec2 part;      // index of the control point, kind
+    + """
+attribute float number;   // of the control point
 attribute vec2 corner;
+uniform float chosen;
 varying vec2 vCorner;
-varying vec4 vLook;       // radius in pixels, chosen, kind, depth
-const float PLAIN = 4.2;
-const float CHOSEN = 7.5;
-
-vec4 control(float index) {{
-  vec4 point = texel(index, 5.0);
-  if (index > columns - 0.5 || point.a < 0.5) return HIDDEN;
-  float chosen = 1.0 - step(0.5, abs(index - marked(5.0).x));
+varying vec3 vLook;       // radius in pixels, chosen, depth
+void main() {
+  float column = min(number, extent.x - 1.0);
+  vec4 point = texel(column, 5.0);
   vec3 seen = turned(point.xyz);
-  vLook = vec4(mix(PLAIN, CHOSEN, chosen), chosen, {CONTROL_KIND}.0, seen.z);
-  return moved(onGlobe(seen), vLook.x * corner);
-}}
-vec4 cursor(vec3 seen) {{
-  vLook = vec4(5.0, 0.0, {CURSOR_KIND}.0, seen.z);
-  return moved(onGlobe(seen), vLook.x * corner);
-}}
-vec4 stub(vec3 seen) {{
-  vLook = vec4(1.6, 0.0, {STUB_KIND}.0, seen.z);
-  return ribbon(onGlobe(seen), onGlobe(1.3 * seen), corner, vLook.x, 0.0);
-}}
-void main() {{
-  vec4 direction = marked(1.0);
+  float mine = 1.0 - step(0.5, abs(number - chosen));
   vCorner = corner;
-  vLook = vec4(0.0);
-  if (part.y < {CONTROL_KIND}.5) gl_Position = control(part.x);
-  else if (direction.a < 0.5) gl_Position = HIDDEN;
-  else if (part.y < {CURSOR_KIND}.5) gl_Position = cursor(turned(direction.xyz));
-  else gl_Position = stub(turned(direction.xyz));
-}}
+  vLook = vec3(mix(4.2, 7.5, mine), mine, seen.z);
+  gl_Position = point.a < 0.5 || column < number ? HIDDEN
+      : moved(onGlobe(seen), vLook.x * corner);
+}
 """
 )
 
-POINTS_FRAGMENT = f"""
+CONTROLS_FRAGMENT = """
 uniform vec3 fill;
 uniform vec3 casing;
 uniform vec3 ink;
 uniform vec3 chosenColour;
-uniform vec3 cursorColour;
 varying vec2 vCorner;
-varying vec4 vLook;
+varying vec3 vLook;
 
-vec3 control(float pixels) {{
+vec3 coloured(float pixels) {
   if (vLook.y < 0.5) return mix(ink, casing, smoothstep(2.6, 3.4, pixels));
   float ring = smoothstep(4.4, 5.0, pixels) * (1.0 - smoothstep(6.4, 7.0, pixels));
-  vec3 colour = mix(chosenColour, casing, smoothstep(3.6, 4.2, pixels));
-  return mix(colour, chosenColour, ring);
-}}
-void main() {{
-  float dim = 0.62 * (1.0 - smoothstep(-0.06, 0.06, vLook.w));
-  if (vLook.z > {CURSOR_KIND}.5) {{
-    gl_FragColor = vec4(mix(cursorColour, fill, dim), 1.0);
-    return;
-  }}
+  return mix(mix(chosenColour, casing, smoothstep(3.6, 4.2, pixels)), chosenColour, ring);
+}
+void main() {
   float pixels = length(vCorner) * vLook.x;
   float inside = 1.0 - smoothstep(vLook.x - 0.9, vLook.x, pixels);
   if (inside < 0.02) discard;
-  vec3 colour = vLook.z < {CONTROL_KIND}.5 ? control(pixels)
-      : mix(cursorColour, casing, smoothstep(3.3, 4.1, pixels));
+  float dim = 0.62 * (1.0 - smoothstep(-0.06, 0.06, vLook.z));
+  gl_FragColor = vec4(mix(coloured(pixels), fill, dim), inside);
+}
+"""
+
+NEEDLE_VERTEX = (
+    _MARK
+    + _RIBBON
+    + _GLOBE
+    + f"""
+attribute vec2 part;      // kind, not used
+attribute vec2 corner;
+varying vec2 vCorner;
+varying vec2 vLook;       // kind, depth
+void main() {{
+  vec4 direction = marked(1.0);
+  vec3 seen = turned(direction.xyz);
+  vCorner = corner;
+  vLook = vec2(part.x, seen.z);
+  if (direction.a < 0.5) gl_Position = HIDDEN;
+  else if (part.x < {DOT_KIND}.5) gl_Position = moved(onGlobe(seen), 5.0 * corner);
+  else gl_Position = ribbon(onGlobe(seen), onGlobe(1.3 * seen), corner, 1.6, 0.0);
+}}
+"""
+)
+
+NEEDLE_FRAGMENT = f"""
+uniform vec3 fill;
+uniform vec3 casing;
+uniform vec3 cursorColour;
+varying vec2 vCorner;
+varying vec2 vLook;
+void main() {{
+  float dim = 0.62 * (1.0 - smoothstep(-0.06, 0.06, vLook.y));
+  bool dot_ = vLook.x < {DOT_KIND}.5;
+  float pixels = dot_ ? 5.0 * length(vCorner) : 0.0;
+  float inside = 1.0 - smoothstep(4.1, 5.0, pixels);
+  if (inside < 0.02) discard;
+  vec3 colour = mix(cursorColour, casing, smoothstep(3.3, 4.1, pixels));
   gl_FragColor = vec4(mix(colour, fill, dim), inside);
 }}
 """

@@ -8,7 +8,6 @@ No geometry is computed here; directions, striction points and scalars arrive in
 from __future__ import annotations
 
 import html
-import itertools
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -24,7 +23,6 @@ from ruledlab.lab.palette import LIGHT, Theme
 from ruledlab.lab.scene import Mark, Scene
 
 Array = npt.NDArray[np.floating[Any]]
-Bytes = npt.NDArray[np.uint8]
 SphereMode = Literal["inset", "large", "off"]
 
 BANDS = 32  # strips between the two ends of a ruling
@@ -34,7 +32,7 @@ FAR = 100.0  # scene radii beyond which a ruling counts as undefined: no spike a
 FIELD_OF_VIEW = 34.0  # degrees
 AZIMUTH, ELEVATION = math.radians(-58.0), math.radians(24.0)
 
-SEQUENTIAL = ("#172a5a", "#1f5c8b", "#2e8f97", "#7abf86", "#d3dd79", "#fdf3b0")
+SEQUENTIAL = ("#172a5a", "#1d4f83", "#26778f", "#449f92", "#86c285", "#d0dc7e", "#fdf3b0")
 DIVERGING_LIGHT = ("#003f7d", "#2f86c8", "#a9d0ec", "#f4f2ee", "#f6bf85", "#d9711c", "#873a00")
 DIVERGING_DARK = ("#8fd0ff", "#2f8fd6", "#16507f", "#2b2d31", "#7d420f", "#e07f28", "#ffc891")
 MISSING = "#8b949e"
@@ -86,15 +84,17 @@ def _ends(scene: Scene) -> tuple[float, float]:
     return low, high
 
 
-def columns_for(scene: Scene) -> int:
-    """Return the width of a scene's textures: room for the rulings and the control points."""
-    return STEP * -(-max(len(scene.t), len(scene.control_directions)) // STEP)
+def texture_size(scene: Scene) -> tuple[int, int]:
+    """Return rows and columns of a scene's texture: room for rulings, control points, scalars."""
+    width = 0 if scene.colour is None else scene.colour.shape[1]
+    count = max(len(scene.t), len(scene.control_directions))
+    return shaders.ROWS - (-width // shaders.BYTES), STEP * -(-count // STEP)
 
 
 def rulings_data(scene: Scene) -> Array:
     """Return the texture of the rulings, (rows, columns, 4) float32, always finite."""
     count, controls = len(scene.t), len(scene.control_directions)
-    data = np.zeros((shaders.ROWS, columns_for(scene), 4), dtype=np.float32)
+    data = np.zeros((*texture_size(scene), 4), dtype=np.float32)
     turning = _finite(scene.direction)
     placed = turning & _finite(scene.base_rate, scene.direction_rate) & _near(scene.base, scene)
     striction = _near(scene.striction, scene)
@@ -112,13 +112,16 @@ def rulings_data(scene: Scene) -> Array:
         data[row, :count, 3] = alpha
     data[5, :controls, :3] = _kept(scene.control_directions, chosen)
     data[5, :controls, 3] = chosen
+    if scene.colour is not None:
+        packed = colour_data(scene.colour, colour_scale(scene.colour))
+        data[shaders.ROWS :, :count] = packed.swapaxes(0, 1)
     return data
 
 
-def mark_data(mark: Mark | None, ends: tuple[float, float], arrow: float, chosen: int) -> Array:
+def mark_data(mark: Mark | None, ends: tuple[float, float], arrow: float) -> Array:
     """Return the texture of the cursor, (1, marks, 4) float32, always finite."""
     data = np.zeros((1, shaders.MARKS, 4), dtype=np.float32)
-    data[0, 5] = (chosen, arrow, ends[1], 0.0)
+    data[0, 5, :2] = (arrow, ends[1])
     data[0, 0, 3] = ends[0]
     if mark is None:
         return data
@@ -198,69 +201,25 @@ def colour_scale(values: Array) -> Scale:
     )
 
 
-def colour_data(values: Array, scale: Scale, rows: int) -> Bytes:
-    """Return the texture of the scalars, (rows, ⌈W/4⌉, 4) bytes: 0 undefined, 1…255 the scale.
-
-    The first T rows are the rulings'; ``rows`` is `columns_for` the scene.
-    """
+def colour_data(values: Array, scale: Scale) -> Array:
+    """Return the scalars packed for the texture, (T, cells, 4) float32: three bytes a number."""
     count, width = values.shape
-    data = np.zeros((rows, 4 * -(-width // 4)), dtype=np.uint8)
+    codes = np.zeros((count, shaders.BYTES * -(-width // shaders.BYTES)))
     valid = np.isfinite(values)
     part = (np.where(valid, values, scale.low) - scale.low) / (scale.high - scale.low)
-    data[:count, :width] = np.where(valid, 1.5 + 254.0 * np.clip(part, 0.0, 1.0), 0.0)
-    return data.reshape(rows, -1, 4)
+    codes[:, :width] = np.where(valid, np.floor(1.5 + 254.0 * np.clip(part, 0.0, 1.0)), 0.0)
+    packed = codes.reshape(count, -1, 4, 3) @ (1.0, 256.0, 65536.0)
+    return packed.astype(np.float32)
 
 
 def _rgb(colour: str) -> tuple[int, ...]:
     return tuple(int(colour[i : i + 2], 16) for i in (1, 3, 5))
 
 
-def colour_ramp(diverging: bool, theme: Theme) -> Bytes:
-    """Return the colour map, (1, 256, 4) bytes."""
-    stops = np.array([_rgb(c) for c in _stops(diverging, theme)], dtype=float)
-    where = np.linspace(0.0, len(stops) - 1.0, 256)
-    ramp = np.full((1, 256, 4), 255, dtype=np.uint8)
-    for channel in range(3):
-        ramp[0, :, channel] = np.interp(where, np.arange(len(stops)), stops[:, channel]) + 0.5
-    return ramp
-
-
 def _stops(diverging: bool, theme: Theme) -> tuple[str, ...]:
     if not diverging:
         return SEQUENTIAL
     return DIVERGING_DARK if theme.dark else DIVERGING_LIGHT
-
-
-_CROSS = (((-0.95, 0.38), (-0.30, -0.42)), ((-0.95, -0.42), (-0.30, 0.38)))
-_DIGITS = (
-    ((0.10, -0.22), (0.36, 0.00), (0.36, -0.92)),
-    ((0.08, -0.14), (0.28, 0.02), (0.52, -0.16), (0.44, -0.42), (0.08, -0.92), (0.58, -0.92)),
-    ((0.08, -0.02), (0.52, -0.02), (0.28, -0.40), (0.54, -0.58), (0.44, -0.88), (0.08, -0.86)),
-)
-
-
-def _distance(x: Array, y: Array, path: Iterable[tuple[float, float]]) -> Array:
-    """Distance of the points (x, y) from a polyline."""
-    points = [np.array(p) for p in path]
-    nearest = np.full(x.shape, np.inf)
-    for a, b in itertools.pairwise(points):
-        way = b - a
-        along = np.clip(((x - a[0]) * way[0] + (y - a[1]) * way[1]) / (way @ way), 0.0, 1.0)
-        nearest = np.minimum(
-            nearest, np.hypot(x - a[0] - along * way[0], y - a[1] - along * way[1])
-        )
-    return nearest
-
-
-def letters_data() -> Bytes:
-    """Return x₁ x₂ x₃ side by side as distances from their strokes, (32, 120) bytes."""
-    y, x = np.meshgrid(np.linspace(1.0, -1.0, 32), np.linspace(-1.25, 1.25, 40), indexing="ij")
-    tiles = []
-    for digit in _DIGITS:
-        lines = [*_CROSS, tuple((0.78 * px + 0.02, 0.78 * py) for px, py in digit)]
-        nearest = np.minimum.reduce([_distance(x, y, line) for line in lines])
-        tiles.append(np.clip(1.0 - nearest / 0.40, 0.0, 1.0))
-    return (255.0 * np.hstack(tiles)).astype(np.uint8)
 
 
 # ---- meshes -------------------------------------------------------------------------------------
@@ -326,19 +285,23 @@ def _marks() -> three.BufferGeometry:
     return _parts(parts, (SQUARE if kind >= disc else CORNERS for _, kind in parts))
 
 
-def _points(capacity: int) -> three.BufferGeometry:
-    """Return the control points on the sphere, the cursor's stub and its point."""
-    parts = [(i, shaders.CONTROL_KIND) for i in range(capacity)]
-    parts += [(0, shaders.STUB_KIND), (0, shaders.CURSOR_KIND)]
-    return _parts(parts, (CORNERS if k == shaders.STUB_KIND else SQUARE for _, k in parts))
+def _controls(capacity: int) -> three.BufferGeometry:
+    """Return squares for the control points on the sphere."""
+    number = np.repeat(np.arange(capacity), 4)
+    return _geometry(_quads(capacity), number=number, corner=np.tile(SQUARE, (capacity, 1)))
+
+
+def _needle() -> three.BufferGeometry:
+    """Return the cursor's stub and point on the sphere."""
+    return _parts([(shaders.STUB_KIND, 0), (shaders.DOT_KIND, 0)], [CORNERS, SQUARE])
 
 
 def _square() -> three.BufferGeometry:
     return _geometry(_quads(1), corner=SQUARE)
 
 
-def _texture(data: npt.NDArray[Any], kind: str, **options: Any) -> three.DataTexture:
-    return three.DataTexture(data=data, type=kind, **options)
+def _texture(data: Array) -> three.DataTexture:
+    return three.DataTexture(data=data, type="FloatType")
 
 
 def _uniforms(**values: Any) -> dict[str, dict[str, Any]]:
@@ -346,7 +309,10 @@ def _uniforms(**values: Any) -> dict[str, dict[str, Any]]:
 
 
 def _assign(material: three.ShaderMaterial, values: dict[str, Any]) -> None:
-    """Change those uniforms the material has; one message, or none if nothing differs."""
+    """Change those uniforms the material has; one message, or none if nothing differs.
+
+    The order of the names stays: the texture has to be the last.
+    """
     mine = {name: value for name, value in values.items() if name in material.uniforms}
     material.uniforms = {**material.uniforms, **_uniforms(**mine)}
 
@@ -446,7 +412,6 @@ class SurfaceView:
         self._theme = theme
         self._scene: Scene | None = None
         self._mark: Mark | None = None
-        self._chosen = -1
         self._arrow = 0.3
         self._mode: SphereMode = "inset"
         self._shown = {"surface": True, "rulings": True, "striction": True, "frame": True}
@@ -460,17 +425,8 @@ class SurfaceView:
 
     def _make_textures(self) -> None:
         self._pool: dict[tuple[Any, ...], Any] = {}
-        self._rulings = self._blank("rulings", shaders.ROWS, 5 * STEP, np.float32)
-        self._colours = self._blank("colours", 5 * STEP, 1 + BANDS // 4, np.uint8)
-        self._cursor = _texture(mark_data(None, (0.0, 0.0), 0.0, -1), "FloatType")
-        self._ramp = _texture(colour_ramp(False, self._theme), "UnsignedByteType")
-        self._letters = _texture(
-            letters_data(),
-            "UnsignedByteType",
-            format="AlphaFormat",
-            magFilter="LinearFilter",
-            minFilter="LinearFilter",
-        )
+        self._rulings = self._blank(shaders.ROWS, 5 * STEP)
+        self._cursor = _texture(mark_data(None, (0.0, 0.0), 0.0))
 
     def _kept(self, key: tuple[Any, ...], make: Callable[[], Any]) -> Any:
         """Return the model made for this size, now or before.
@@ -482,19 +438,19 @@ class SurfaceView:
             self._pool[key] = make()
         return self._pool[key]
 
-    def _blank(self, name: str, height: int, width: int, dtype: type) -> three.DataTexture:
-        kind = "FloatType" if dtype is np.float32 else "UnsignedByteType"
-        data = np.zeros((height, width, 4), dtype=dtype)
-        return self._kept((name, height, width), lambda: _texture(data, kind))
+    def _blank(self, rows: int, columns: int) -> three.DataTexture:
+        data = np.zeros((rows, columns, 4), dtype=np.float32)
+        return self._kept(("rulings", rows, columns), lambda: _texture(data))
 
     def _material(self, vertex: str, fragment: str, **uniforms: Any) -> three.ShaderMaterial:
-        known = {"rulings": self._rulings, "mark": self._cursor, "columns": 5.0 * STEP}
-        known |= {"viewport": (600.0, 430.0), "lens": (0.0, 0.0, 1.0), "globe": (0.0, 0.0, 60.0)}
+        known = {"viewport": (600.0, 430.0), "lens": (0.0, 0.0, 1.0), "globe": (0.0, 0.0, 60.0)}
+        known |= {"extent": (5.0 * STEP, float(shaders.ROWS))}
+        known |= {"rulings": self._rulings, "mark": self._cursor}
         used = {name: value for name, value in known.items() if f" {name};" in vertex + fragment}
         return three.ShaderMaterial(
             vertexShader=vertex,
             fragmentShader=fragment,
-            uniforms=_uniforms(**used, **uniforms),
+            uniforms=_uniforms(**uniforms, **used),
             side="DoubleSide",
             lights=False,
             fog=False,
@@ -506,27 +462,27 @@ class SurfaceView:
                 shaders.SURFACE_VERTEX,
                 shaders.SURFACE_FRAGMENT,
                 pull=0.0,
-                colours=self._colours,
-                colouring=(0.0, 1.0 + BANDS, 1.0 + BANDS // 4),
-                ramp=self._ramp,
+                scalars=0.0,
+                **{f"stop{i}": colour for i, colour in enumerate(SEQUENTIAL)},
                 gloss=0.12,
                 frontColour="#ffffff",
                 backColour="#ffffff",
                 missingColour=MISSING,
             ),
-            "lattice": self._line(shaders.LATTICE_VERTEX, 1.2, 1.2, 0.6, 0.0012, cap=0.0),
+            "lattice": self._line(shaders.LATTICE_VERTEX, 1.2, 1.2, 0.6, 0.0024, cap=0.0),
             "striction": self._line(shaders.STRICTION_VERTEX, 3.0, 2.0, 1.0, 0.004, cap=0.8),
             "striction hidden": self._line(shaders.STRICTION_VERTEX, 1.5, 1.5, 0.4, 0.004, cap=0.0),
             "mark": self._marker(1.0),
             "mark hidden": self._marker(0.3),
             "globe": self._globe_material(),
             "image": self._image_material(),
-            "points": self._points_material(),
+            "controls": self._controls_material(),
+            "needle": self._needle_material(),
         }
         for name, material in self._materials.items():
             if name != "surface":
                 material.transparent = True
-                material.depthWrite = name in {"striction", "mark", "image", "points"}
+                material.depthWrite = name in {"striction", "mark", "image", "controls", "needle"}
             if name.endswith("hidden"):
                 material.depthFunc = "GreaterDepth"
         self._materials["globe"].depthTest = False
@@ -552,7 +508,6 @@ class SurfaceView:
             shaders.MARK_FRAGMENT,
             pull=0.006,
             strength=strength,
-            letters=self._letters,
             **dict.fromkeys(names, "#000000"),
         )
 
@@ -566,10 +521,15 @@ class SurfaceView:
             shaders.IMAGE_VERTEX, shaders.IMAGE_FRAGMENT, width=(1.9, 1.9), **colours
         )
 
-    def _points_material(self) -> three.ShaderMaterial:
-        names = ("fill", "casing", "ink", "chosenColour", "cursorColour")
-        colours = dict.fromkeys(names, "#000000")
-        return self._material(shaders.POINTS_VERTEX, shaders.POINTS_FRAGMENT, **colours)
+    def _controls_material(self) -> three.ShaderMaterial:
+        colours = dict.fromkeys(("fill", "casing", "ink", "chosenColour"), "#000000")
+        return self._material(
+            shaders.CONTROLS_VERTEX, shaders.CONTROLS_FRAGMENT, chosen=-1.0, **colours
+        )
+
+    def _needle_material(self) -> three.ShaderMaterial:
+        colours = dict.fromkeys(("fill", "casing", "cursorColour"), "#000000")
+        return self._material(shaders.NEEDLE_VERTEX, shaders.NEEDLE_FRAGMENT, **colours)
 
     def _shapes(self, count: int, controls: int) -> dict[str, three.BufferGeometry]:
         """Return the geometries that depend on the numbers of rulings and control points."""
@@ -582,16 +542,13 @@ class SurfaceView:
             "striction": curve,
             "striction hidden": curve,
             "image": curve,
-            "points": self._kept(("points", places), lambda: _points(places)),
+            "controls": self._kept(("controls", places), lambda: _controls(places)),
         }
 
     def _make_meshes(self) -> None:
         marks = _marks()
-        shapes = self._shapes(5 * STEP, 8) | {
-            "mark": marks,
-            "mark hidden": marks,
-            "globe": _square(),
-        }
+        shapes = self._shapes(5 * STEP, 8) | {"mark": marks, "mark hidden": marks}
+        shapes |= {"globe": _square(), "needle": _needle()}
         order = {name: place for place, name in enumerate(self._materials)}
         self._meshes = {
             name: _mesh(shapes[name], material, order[name])
@@ -599,9 +556,7 @@ class SurfaceView:
         }
         # A texture used by a ShaderMaterial does not ask for a redraw when its data change; one
         # used as a map does. This mesh is never drawn: it only passes the request on.
-        self._wire = three.MeshBasicMaterial(
-            map=self._rulings, alphaMap=self._cursor, lightMap=self._colours, specularMap=self._ramp
-        )
+        self._wire = three.MeshBasicMaterial(map=self._rulings, alphaMap=self._cursor)
         self._bell = _mesh(self._meshes["globe"].geometry, self._wire, 0, visible=False)
 
     def _make_renderer(self, width: int, height: int, antialias: bool) -> None:
@@ -632,10 +587,12 @@ class SurfaceView:
     def draw(self, scene: Scene) -> None:
         """Show a scene; the camera stays where it is, except for the first scene."""
         first, self._scene = self._scene is None, scene
-        scale = None if scene.colour is None else colour_scale(scene.colour)
-        self._fit(scene)
-        self._colour(scene, scale)
-        self._rulings.data = rulings_data(scene)
+        rulings = self._blank(*texture_size(scene))
+        rulings.data = rulings_data(scene)
+        self._use(rulings)
+        for name, shape in self._shapes(len(scene.t), len(scene.control_directions)).items():
+            self._meshes[name].geometry = shape
+        _assign(self._materials["surface"], self._colouring())
         if first:
             self.reset_view(scene)
         self._send_mark()
@@ -647,38 +604,28 @@ class SurfaceView:
 
     def choose(self, index: int | None) -> None:
         """Mark a control point on the sphere, or none."""
-        self._chosen = -1 if index is None else int(index)
-        self._send_mark()
+        _assign(self._materials["controls"], {"chosen": -1.0 if index is None else float(index)})
 
     def _send_mark(self) -> None:
         ends = (0.0, 0.0) if self._scene is None else _ends(self._scene)
-        self._cursor.data = mark_data(self._mark, ends, self._arrow, self._chosen)
+        self._cursor.data = mark_data(self._mark, ends, self._arrow)
 
-    def _fit(self, scene: Scene) -> None:
-        """Take textures and meshes of the scene's size, new ones where there are none yet."""
-        columns = columns_for(scene)
-        cells = self._colours.data.shape[1]
-        if scene.colour is not None:
-            cells = -(-scene.colour.shape[1] // 4)
-        rulings = self._blank("rulings", shaders.ROWS, columns, np.float32)
-        colours = self._blank("colours", columns, cells, np.uint8)
-        if rulings is not self._rulings or colours is not self._colours:
-            self._rulings, self._colours = rulings, colours
-            self._everywhere(rulings=rulings, colours=colours, columns=float(columns))
-            self._wire.map, self._wire.lightMap = rulings, colours
-        for name, shape in self._shapes(len(scene.t), len(scene.control_directions)).items():
-            self._meshes[name].geometry = shape
-
-    def _colour(self, scene: Scene, scale: Scale | None) -> None:
-        surface = self._materials["surface"]
-        if scene.colour is None or scale is None:
-            old = surface.uniforms["colouring"]["value"]
-            _assign(surface, {"colouring": (0.0, *old[1:])})
+    def _use(self, rulings: three.DataTexture) -> None:
+        """Draw from this texture; its data are there already, so no frame shows old ones."""
+        if rulings is self._rulings:
             return
-        values = scene.colour.shape[1]
-        _assign(surface, {"colouring": (1.0, float(values), float(-(-values // 4)))})
-        self._ramp.data = colour_ramp(scale.diverging, self._theme)
-        self._colours.data = colour_data(scene.colour, scale, columns_for(scene))
+        self._rulings = rulings
+        rows, columns, _ = rulings.data.shape
+        self._everywhere(rulings=rulings, extent=(float(columns), float(rows)))
+        self._wire.map = rulings
+
+    def _colouring(self) -> dict[str, Any]:
+        """Return the uniforms that colour the surface."""
+        colour = None if self._scene is None else self._scene.colour
+        if colour is None:
+            return {"scalars": 0.0}
+        stops = _stops(colour_scale(colour).diverging, self._theme)
+        return {"scalars": float(colour.shape[1]), **{f"stop{i}": c for i, c in enumerate(stops)}}
 
     def _everywhere(self, **values: Any) -> None:
         for material in self._materials.values():
@@ -711,14 +658,8 @@ class SurfaceView:
         for name in ("striction", "striction hidden"):
             _assign(self._materials[name], {"colour": theme.sigma})
         _assign(self._materials["image"], {"colour": theme.ink})
-        scale = self._scale()
-        self._ramp.data = colour_ramp(scale is not None and scale.diverging, theme)
+        _assign(self._materials["surface"], self._colouring())
         self._place_sphere()
-
-    def _scale(self) -> Scale | None:
-        if self._scene is None or self._scene.colour is None:
-            return None
-        return colour_scale(self._scene.colour)
 
     def show(
         self,
@@ -743,7 +684,7 @@ class SurfaceView:
             raise ValueError(f"`mode` must be 'inset', 'large' or 'off'; got {mode!r}")
         self._mode = mode
         self._place_sphere()
-        for part in ("globe", "image", "points"):
+        for part in ("globe", "image", "controls", "needle"):
             self._meshes[part].visible = mode != "off"
 
     def _place_sphere(self) -> None:

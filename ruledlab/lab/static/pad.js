@@ -53,18 +53,23 @@ function boxOf(points, curve) {
   const box = { u0: Infinity, u1: -Infinity, v0: Infinity, v1: -Infinity };
   for (const list of [points, curve]) {
     for (let i = 0; i + 1 < list.length; i += 2) {
-      const u = list[i], v = list[i + 1];
+      const u = list[i],
+        v = list[i + 1];
       if (!Number.isFinite(u) || !Number.isFinite(v)) continue;
-      box.u0 = Math.min(box.u0, u); box.u1 = Math.max(box.u1, u);
-      box.v0 = Math.min(box.v0, v); box.v1 = Math.max(box.v1, v);
+      box.u0 = Math.min(box.u0, u);
+      box.u1 = Math.max(box.u1, u);
+      box.v0 = Math.min(box.v0, v);
+      box.v1 = Math.max(box.v1, v);
     }
   }
   return box.u0 <= box.u1 ? box : { u0: 0, u1: TURN, v0: 0, v1: PI };
 }
 
 const inside = (box, view, slack) =>
-  box.u0 >= view.u0 + slack * (view.u1 - view.u0) && box.u1 <= view.u1 - slack * (view.u1 - view.u0) &&
-  box.v0 >= view.v0 + slack * (view.v1 - view.v0) && box.v1 <= view.v1 - slack * (view.v1 - view.v0);
+  box.u0 >= view.u0 + slack * (view.u1 - view.u0) &&
+  box.u1 <= view.u1 - slack * (view.u1 - view.u0) &&
+  box.v0 >= view.v0 + slack * (view.v1 - view.v0) &&
+  box.v1 <= view.v1 - slack * (view.v1 - view.v0);
 
 // Where the sheet of the chart begins that holds the box: 0 or −π, else 0 and more than one sheet.
 const sheetOf = (box) =>
@@ -75,22 +80,31 @@ const BAND = 19; // px
 const beyond = (span, height) => (BAND * span) / (height - 2 * BAND);
 
 function wholeChart(box, width, height) {
-  const sheet = sheetOf(box), band = beyond(PI, height);
+  const sheet = sheetOf(box),
+    band = beyond(PI, height);
   const u0 = Math.min(sheet, Math.floor(box.u0 / (PI / 2) + 1e-9) * (PI / 2));
   const u1 = Math.max(sheet + TURN, Math.ceil(box.u1 / (PI / 2) - 1e-9) * (PI / 2));
   const edge = 0.03 * (u1 - u0);
-  return { u0: u0 - edge, u1: u1 + edge, v0: Math.min(-band, box.v0 - 0.1), v1: Math.max(PI + band, box.v1 + 0.1), sheet };
+  return {
+    u0: u0 - edge,
+    u1: u1 + edge,
+    v0: Math.min(-band, box.v0 - 0.1),
+    v1: Math.max(PI + band, box.v1 + 0.1),
+    sheet,
+  };
 }
 
 // The points with a margin, a pole where it is not far, and scales that differ at most twofold.
 function fitted(box, width, height) {
-  const tall = Math.max(box.v1 - box.v0, 0.4), wide = Math.max(box.u1 - box.u0, 0.4);
+  const tall = Math.max(box.v1 - box.v0, 0.4),
+    wide = Math.max(box.u1 - box.u0, 0.4);
   const side = Math.min(0.14 * wide, 0.4);
   let [u0, u1] = [box.u0 - side, box.u1 + side];
   let [v0, v1] = [box.v0 - 0.2 * tall, box.v1 + 0.2 * tall];
   if (box.v0 < 0.75 * tall) v0 = Math.min(0, v0);
   if (PI - box.v1 < 0.75 * tall) v1 = Math.max(PI, v1);
-  const perU = width / (u1 - u0), perV = height / (v1 - v0);
+  const perU = width / (u1 - u0),
+    perV = height / (v1 - v0);
   if (perU > 2 * perV) [u0, u1] = widened(u0, u1, perU / (2 * perV));
   if (perV > 2 * perU) [v0, v1] = widened(v0, v1, perV / (2 * perU));
   [v0, v1] = kept(v0, v1, box, height);
@@ -98,16 +112,20 @@ function fitted(box, width, height) {
 }
 
 const widened = (low, high, factor) => {
-  const half = (factor * (high - low)) / 2, middle = (low + high) / 2;
+  const half = (factor * (high - low)) / 2,
+    middle = (low + high) / 2;
   return [middle - half, middle + half];
 };
 
 // A range of v that ends just beyond a pole it reaches, unless points lie further out; what is cut
 // off at one side is given to the other.
 function kept(v0, v1, box, height) {
-  const span = Math.min(v1 - v0, PI), band = beyond(span, height);
-  const top = Math.min(-band, box.v0 - 0.2), bottom = Math.max(PI + band, box.v1 + 0.2);
-  const atTop = v0 <= 0, atBottom = v1 >= PI;
+  const span = Math.min(v1 - v0, PI),
+    band = beyond(span, height);
+  const top = Math.min(-band, box.v0 - 0.2),
+    bottom = Math.max(PI + band, box.v1 + 0.2);
+  const atTop = v0 <= 0,
+    atBottom = v1 >= PI;
   if (atTop && atBottom) return [box.v0 < 0 ? top : -band, box.v1 > PI ? bottom : PI + band];
   if (atTop) return [box.v0 < 0 ? top : -band, Math.min(bottom, Math.max(v1, span))];
   if (atBottom) return [Math.max(top, Math.min(v0, PI - span)), box.v1 > PI ? bottom : PI + band];
@@ -195,11 +213,31 @@ const BUTTONS = [
 class View {
   constructor(model, el) {
     Object.assign(this, {
-      model, el, id: Math.random().toString(36).slice(2, 10),
-      seq: 0, drags: 0, hold: new Map(), choice: -1, chosen: 0, closing: "open",
-      sent: new Float64Array(), points: new Float64Array(), curve: new Float32Array(),
-      mode: "fit", extent: null, drag: null, run: null, press: null, handles: [], size: null,
-      frame: 0, spoken: "", lastAdd: 0, followFocus: false, fresh: true, stops: [],
+      model,
+      el,
+      id: Math.random().toString(36).slice(2, 10),
+      seq: 0,
+      drags: 0,
+      hold: new Map(),
+      choice: -1,
+      chosen: 0,
+      closing: "open",
+      sent: new Float64Array(),
+      points: new Float64Array(),
+      curve: new Float32Array(),
+      mode: "fit",
+      extent: null,
+      drag: null,
+      run: null,
+      press: null,
+      handles: [],
+      size: null,
+      frame: 0,
+      spoken: "",
+      lastAdd: 0,
+      followFocus: false,
+      fresh: true,
+      stops: [],
     });
     this.build();
     this.connect();
@@ -211,48 +249,104 @@ class View {
   // -- building --
 
   build() {
-    const clip = `rl-clip-${this.id}`, hatch = `rl-hatch-${this.id}`, help = `rl-help-${this.id}`;
+    const clip = `rl-clip-${this.id}`,
+      hatch = `rl-hatch-${this.id}`,
+      help = `rl-help-${this.id}`;
     const layer = (name, more = {}) => (this[name] = svg("g", { class: `rl-${name}`, ...more }));
     const path = (name) => (this[name] = svg("path", { class: `rl-${name}` }));
     this.hatchUrl = `url(#${hatch})`;
     this.clip = svg("rect");
-    this.stage = svg("svg", { class: "rl-stage", role: "application", "aria-roledescription": "chart",
-      "aria-label": "Chart of the unit sphere with control points", "aria-describedby": help },
-      svg("defs", {}, svg("clipPath", { id: clip }, this.clip),
-        svg("pattern", { id: hatch, width: 6, height: 6, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" },
-          svg("path", { class: "rl-hatch", d: "M0 0v6" }))),
+    this.stage = svg(
+      "svg",
+      {
+        class: "rl-stage",
+        role: "application",
+        "aria-roledescription": "chart",
+        "aria-label": "Chart of the unit sphere with control points",
+        "aria-describedby": help,
+      },
+      svg(
+        "defs",
+        {},
+        svg("clipPath", { id: clip }, this.clip),
+        svg(
+          "pattern",
+          { id: hatch, width: 6, height: 6, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" },
+          svg("path", { class: "rl-hatch", d: "M0 0v6" }),
+        ),
+      ),
       layer("axes", { "aria-hidden": "true" }),
-      svg("g", { "clip-path": `url(#${clip})`, "aria-hidden": "true" }, path("seam"), path("polygon"), path("ticked"), path("line"), this.makeCursor()),
-      layer("knobs"));
+      svg(
+        "g",
+        { "clip-path": `url(#${clip})`, "aria-hidden": "true" },
+        path("seam"),
+        path("polygon"),
+        path("ticked"),
+        path("line"),
+        this.makeCursor(),
+      ),
+      layer("knobs"),
+    );
     this.readout = html("div", { class: "rl-readout", "aria-hidden": "true" });
     this.buttons = Object.fromEntries(BUTTONS.map(([name, title]) => [name, this.makeButton(name, title)]));
     this.live = html("div", { class: "rl-hidden", "aria-live": "polite", role: "status" });
-    this.root = html("div", { class: "rl-pad", role: "group", "aria-label": "Domain pad", "data-lm-suppress-shortcuts": "true", "lm-suppress-shortcuts": "true" },
+    this.root = html(
+      "div",
+      {
+        class: "rl-pad",
+        role: "group",
+        "aria-label": "Domain pad",
+        "data-lm-suppress-shortcuts": "true",
+        "lm-suppress-shortcuts": "true",
+      },
       html("div", { class: "rl-bar" }, this.readout, ...Object.values(this.buttons)),
-      this.stage, this.live, html("div", { class: "rl-hidden", id: help }, HELP));
+      this.stage,
+      this.live,
+      html("div", { class: "rl-hidden", id: help }, HELP),
+    );
     this.el.append(this.root);
   }
 
   makeButton(name, title) {
     const icon = svg("svg", { viewBox: "0 0 16 16", "aria-hidden": "true" }, svg("path", { d: ICONS[name] }));
-    const button = html("button", { type: "button", class: `rl-button rl-${name}`, title, "aria-label": title }, icon);
-    const act = { add: () => this.addAfter(), remove: () => this.remove(), fit: () => this.setMode("fit"), whole: () => this.setMode("whole") };
+    const button = html(
+      "button",
+      { type: "button", class: `rl-button rl-${name}`, title, "aria-label": title },
+      icon,
+    );
+    const act = {
+      add: () => this.addAfter(),
+      remove: () => this.remove(),
+      fit: () => this.setMode("fit"),
+      whole: () => this.setMode("whole"),
+    };
     this.stops.push(listen(button, "click", act[name]));
     return button;
   }
 
   makeCursor() {
-    this.dot = svg("g", { class: "rl-cursor", visibility: "hidden" },
-      svg("circle", { class: "rl-halo", r: 7.5 }), svg("circle", { r: 6 }), svg("circle", { class: "rl-core", r: 2.6 }));
+    this.dot = svg(
+      "g",
+      { class: "rl-cursor", visibility: "hidden" },
+      svg("circle", { class: "rl-halo", r: 7.5 }),
+      svg("circle", { r: 6 }),
+      svg("circle", { class: "rl-core", r: 2.6 }),
+    );
     return this.dot;
   }
 
   makeHandle(index) {
-    const g = svg("g", { class: "rl-handle", role: "button", tabindex: -1, "aria-roledescription": "movable point" },
-      svg("circle", { class: "rl-hit", r: REACH.touch }), svg("circle", { class: "rl-focus", r: 15 }),
-      svg("circle", { class: "rl-joint", r: 9 }), svg("circle", { class: "rl-ring", r: 10.5 }),
-      svg("circle", { class: "rl-disc", r: 5 }), svg("path", { class: "rl-diamond", d: "M0-6.8L6.8 0L0 6.8L-6.8 0Z" }),
-      svg("text", { class: "rl-number" }));
+    const g = svg(
+      "g",
+      { class: "rl-handle", role: "button", tabindex: -1, "aria-roledescription": "movable point" },
+      svg("circle", { class: "rl-hit", r: REACH.touch }),
+      svg("circle", { class: "rl-focus", r: 15 }),
+      svg("circle", { class: "rl-joint", r: 9 }),
+      svg("circle", { class: "rl-ring", r: 10.5 }),
+      svg("circle", { class: "rl-disc", r: 5 }),
+      svg("path", { class: "rl-diamond", d: "M0-6.8L6.8 0L0 6.8L-6.8 0Z" }),
+      svg("text", { class: "rl-number" }),
+    );
     g.dataset.index = index;
     this.knobs.append(g);
     return g;
@@ -260,7 +354,10 @@ class View {
 
   connect() {
     const { model, stage, root, stops } = this;
-    const on = (name, handler) => { model.on(name, handler); stops.push(() => model.off(name, handler)); };
+    const on = (name, handler) => {
+      model.on(name, handler);
+      stops.push(() => model.off(name, handler));
+    };
     on("change:picture", () => this.receive());
     on("change:cursor", () => this.showCursor());
     on("change:colours", () => this.paint());
@@ -280,8 +377,14 @@ class View {
       listen(stage, "focusout", () => this.endRun()),
       // Shortcuts with Ctrl or Command, such as saving, stay the page's own; no other key may reach it.
       listen(window, "keydown", (e) => this.shield(e), true),
-      this.watchSize(), this.watchTheme(),
-      () => { cancelAnimationFrame(this.frame); clearTimeout(this.speech); this.endRun(); });
+      this.watchSize(),
+      this.watchTheme(),
+      () => {
+        this.dropRun();
+        this.finishTravel(false);
+        clearTimeout(this.speech);
+      },
+    );
   }
 
   watchSize() {
@@ -298,12 +401,19 @@ class View {
       this.model.save_changes();
     };
     const observer = new MutationObserver(report);
-    const what = { attributes: true, attributeFilter: ["data-jp-theme-light", "data-jp-theme-name", "data-theme", "class", "style"] };
+    const what = {
+      attributes: true,
+      attributeFilter: ["data-jp-theme-light", "data-jp-theme-name", "data-theme", "class", "style"],
+    };
     observer.observe(document.body, what);
     observer.observe(document.documentElement, what);
     const off = listen(matchMedia("(prefers-color-scheme: dark)"), "change", report);
     const first = requestAnimationFrame(report);
-    return () => { observer.disconnect(); off(); cancelAnimationFrame(first); };
+    return () => {
+      observer.disconnect();
+      off();
+      cancelAnimationFrame(first);
+    };
   }
 
   destroy() {
@@ -327,7 +437,10 @@ class View {
     }
     if (seen >= this.choice) this.chosen = picture.chosen ?? 0;
     this.merge();
-    if (grown && this.size) this.say(`${grown > 0 ? "Added" : "Removed"}; ${this.count} control points. ${this.describe(this.chosen)}`);
+    if (grown && this.size)
+      this.say(
+        `${grown > 0 ? "Added" : "Removed"}; ${this.count} control points. ${this.describe(this.chosen)}`,
+      );
     const follow = this.followFocus || this.hasFocus();
     this.redraw();
     if (follow && !this.drag) this.handles[this.chosen]?.focus({ preventScroll: true });
@@ -335,9 +448,13 @@ class View {
     this.settle();
   }
 
-  hasFocus() { return this.knobs.contains(this.root.getRootNode().activeElement); }
+  hasFocus() {
+    return this.knobs.contains(this.root.getRootNode().activeElement);
+  }
 
-  get count() { return this.sent.length / 2; }
+  get count() {
+    return this.sent.length / 2;
+  }
 
   merge() {
     this.points = this.sent.slice();
@@ -363,7 +480,8 @@ class View {
 
   // How many turns the last point is from the first, or null where they are not tied.
   turns() {
-    const n = this.count - 1, p = this.sent;
+    const n = this.count - 1,
+      p = this.sent;
     if (this.closing === "open" || n < 2) return null;
     const turns = Math.round((p[2 * n] - p[0]) / TURN);
     const near = Math.abs(p[2 * n] - p[0] - turns * TURN) < 1e-6 && Math.abs(p[2 * n + 1] - p[1]) < 1e-6;
@@ -415,7 +533,9 @@ class View {
     this.say(this.describe(index));
   }
 
-  at(index) { return [this.points[2 * index], this.points[2 * index + 1]]; }
+  at(index) {
+    return [this.points[2 * index], this.points[2 * index + 1]];
+  }
 
   askToChoose(index, drag = 0) {
     this.choice = this.request("choose", index, ...this.at(index), drag);
@@ -434,7 +554,9 @@ class View {
   addAfter() {
     if (this.count < 2) return;
     this.endRun();
-    const i = Math.min(this.chosen, this.count - 2), [u, v] = this.at(i), [u2, v2] = this.at(i + 1);
+    const i = Math.min(this.chosen, this.count - 2),
+      [u, v] = this.at(i),
+      [u2, v2] = this.at(i + 1);
     this.add(i + 1, (u + u2) / 2, (v + v2) / 2);
   }
 
@@ -452,7 +574,8 @@ class View {
   }
 
   nearest(x, y, reach) {
-    let best = -1, least = reach * reach;
+    let best = -1,
+      least = reach * reach;
     for (const g of this.handles) {
       const i = Number(g.dataset.index);
       if (this.canonical(i) !== i) continue;
@@ -480,16 +603,28 @@ class View {
     this.finishTravel();
     this.stage.setPointerCapture(event.pointerId);
     const [px, py] = this.toPixel(...this.at(index));
-    this.drag = { pointer: event.pointerId, index, number: ++this.drags, dx: px - x, dy: py - y, x, y, moved: false, from: this.at(index) };
+    this.drag = {
+      pointer: event.pointerId,
+      index,
+      number: ++this.drags,
+      dx: px - x,
+      dy: py - y,
+      x,
+      y,
+      moved: false,
+      from: this.at(index),
+    };
     this.root.classList.add("rl-dragging");
     this.askToChoose(index, this.drag.number);
     this.handles[index].focus({ preventScroll: true });
   }
 
   onMove(event) {
-    const { drag } = this, [x, y] = this.place(event);
+    const { drag } = this,
+      [x, y] = this.place(event);
     if (drag?.pointer !== event.pointerId) {
-      if (!drag && this.extent && event.pointerType !== "touch") this.hover(this.nearest(x, y, REACH.mouse), this.inFrame(x, y));
+      if (!drag && this.extent && event.pointerType !== "touch")
+        this.hover(this.nearest(x, y, REACH.mouse), this.inFrame(x, y));
       return;
     }
     if (!drag.moved && Math.hypot(x - drag.x, y - drag.y) < 1) return;
@@ -499,7 +634,8 @@ class View {
 
   onUp(event) {
     if (this.drag?.pointer === event.pointerId) return this.finishDrag(true);
-    const { press } = this, [x, y] = this.place(event);
+    const { press } = this,
+      [x, y] = this.place(event);
     this.press = null;
     if (press?.pointer !== event.pointerId || Math.hypot(x - press.x, y - press.y) > SLACK) return;
     if (event.timeStamp - this.lastAdd < 350) return; // the second half of a double click
@@ -541,9 +677,11 @@ class View {
 
   // Where in the polygon a new point belongs: in the nearest leg, or beyond an open end.
   slot(x, y) {
-    let best = this.count, least = Infinity;
+    let best = this.count,
+      least = Infinity;
     for (let i = 0; i + 1 < this.count; i++) {
-      const [ax, ay] = this.toPixel(...this.at(i)), [bx, by] = this.toPixel(...this.at(i + 1));
+      const [ax, ay] = this.toPixel(...this.at(i)),
+        [bx, by] = this.toPixel(...this.at(i + 1));
       const length = (bx - ax) ** 2 + (by - ay) ** 2;
       const along = length ? ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / length : 0.5;
       const s = clamp(along, 0, 1);
@@ -551,14 +689,17 @@ class View {
       if (far >= least) continue;
       least = far;
       const open = this.turns() === null;
-      best = open && i === 0 && along < 0 ? 0 : open && i + 2 === this.count && along > 1 ? this.count : i + 1;
+      best =
+        open && i === 0 && along < 0 ? 0 : open && i + 2 === this.count && along > 1 ? this.count : i + 1;
     }
     return best;
   }
 
   // -- keys --
 
-  isOurs(event) { return !event.ctrlKey && !event.metaKey; }
+  isOurs(event) {
+    return !event.ctrlKey && !event.metaKey;
+  }
 
   shield(event) {
     if (!this.root.contains(event.target)) return;
@@ -583,9 +724,16 @@ class View {
     if (arrow) return this.nudge(arrow, event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
     const step = { PageUp: -1, "[": -1, PageDown: 1, "]": 1 }[event.key];
     if (step) return this.walk(step);
-    if (event.key === "Home" || event.key === "End") return this.walkTo(event.key === "Home" ? 0 : this.count - 1);
-    if (event.key === "Delete" || event.key === "Backspace") { this.remove(); return true; }
-    if (event.key === "+" || event.key === "Insert") { this.addAfter(); return true; }
+    if (event.key === "Home" || event.key === "End")
+      return this.walkTo(event.key === "Home" ? 0 : this.count - 1);
+    if (event.key === "Delete" || event.key === "Backspace") {
+      this.remove();
+      return true;
+    }
+    if (event.key === "+" || event.key === "Insert") {
+      this.addAfter();
+      return true;
+    }
     return false;
   }
 
@@ -597,7 +745,9 @@ class View {
 
   nudge([du, dv], times) {
     if (!this.count || !this.extent) return true;
-    const index = this.chosen, step = this.step() * times, [u, v] = this.at(index);
+    const index = this.chosen,
+      step = this.step() * times,
+      [u, v] = this.at(index);
     if (this.run?.index !== index) {
       this.endRun();
       this.run = { index, number: ++this.drags };
@@ -663,13 +813,20 @@ class View {
   resize() {
     const full = this.root.clientWidth;
     if (!full) return;
-    const w = Math.max(260, full), h = Math.max(this.model.get("min_height"), w / this.model.get("aspect"));
+    const w = Math.max(260, full),
+      h = Math.max(this.model.get("min_height"), w / this.model.get("aspect"));
     if (this.size && this.size.full === w && this.size.tall === h) return;
     const { left, right, top, bottom } = MARGIN;
     this.size = { full: w, tall: h, left, top, width: w - left - right, height: h - top - bottom };
     this.stage.setAttribute("width", w);
     this.stage.setAttribute("height", h);
-    for (const [name, value] of Object.entries({ x: left, y: top, width: this.size.width, height: this.size.height })) this.clip.setAttribute(name, value);
+    for (const [name, value] of Object.entries({
+      x: left,
+      y: top,
+      width: this.size.width,
+      height: this.size.height,
+    }))
+      this.clip.setAttribute(name, value);
     if (!this.extent) {
       this.extent = this.wanted();
       this.fresh = !this.count;
@@ -696,9 +853,12 @@ class View {
   // or has become so small in it that it must be another design.
   settle() {
     if (this.drag || this.run || !this.extent || !this.count) return;
-    const box = boxOf(this.points, this.curve), next = this.wanted();
+    const box = boxOf(this.points, this.curve),
+      next = this.wanted();
     const seen = this.goal ?? this.extent;
-    const tiny = this.mode === "fit" && (next.u1 - next.u0 < 0.4 * (seen.u1 - seen.u0) || next.v1 - next.v0 < 0.4 * (seen.v1 - seen.v0));
+    const tiny =
+      this.mode === "fit" &&
+      (next.u1 - next.u0 < 0.4 * (seen.u1 - seen.u0) || next.v1 - next.v0 < 0.4 * (seen.v1 - seen.v0));
     if (!inside(box, seen, 0.015) || tiny || this.fresh) this.travel(next, this.fresh);
     this.fresh = false;
   }
@@ -707,12 +867,14 @@ class View {
   travel(goal, atOnce = false) {
     this.finishTravel(false);
     if (!this.size) return;
-    const from = this.extent, still = atOnce || !from || matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const from = this.extent,
+      still = atOnce || !from || matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.goal = goal;
     if (still) return this.finishTravel();
     const begin = performance.now();
     const tick = (now) => {
-      const s = clamp((now - begin) / 180, 0, 1), ease = s * s * (3 - 2 * s);
+      const s = clamp((now - begin) / 180, 0, 1),
+        ease = s * s * (3 - 2 * s);
       if (s >= 1) return this.finishTravel();
       this.extent = { sheet: goal.sheet };
       for (const k of ["u0", "u1", "v0", "v1"]) this.extent[k] = from[k] + ease * (goal[k] - from[k]);
@@ -732,14 +894,17 @@ class View {
   }
 
   toPixel(u, v) {
-    const { left, top, width, height } = this.size, { u0, u1, v0, v1 } = this.extent;
+    const { left, top, width, height } = this.size,
+      { u0, u1, v0, v1 } = this.extent;
     return [left + ((u - u0) / (u1 - u0)) * width, top + ((v - v0) / (v1 - v0)) * height];
   }
 
   // Back to radians, kept inside the frame, to a ten-thousandth: far finer than a pixel.
   toChart(x, y) {
-    const { left, top, width, height } = this.size, { u0, u1, v0, v1 } = this.extent;
-    const s = clamp((x - left) / width, 0, 1), r = clamp((y - top) / height, 0, 1);
+    const { left, top, width, height } = this.size,
+      { u0, u1, v0, v1 } = this.extent;
+    const s = clamp((x - left) / width, 0, 1),
+      r = clamp((y - top) / height, 0, 1);
     const round = (a) => Math.round(a * 1e4) / 1e4;
     return [round(u0 + s * (u1 - u0)), round(v0 + r * (v1 - v0))];
   }
@@ -768,25 +933,42 @@ class View {
     const key = JSON.stringify([this.extent, this.size]);
     if (key === this.axesKey) return;
     this.axesKey = key;
-    const { left, top, width, height } = this.size, { u0, u1, v0, v1 } = this.extent;
-    const right = left + width, bottom = top + height, parts = [];
+    const { left, top, width, height } = this.size,
+      { u0, u1, v0, v1 } = this.extent;
+    const right = left + width,
+      bottom = top + height,
+      parts = [];
     const path = (cls, d) => parts.push(svg("path", { class: cls, d }));
-    const text = (cls, x, y, words, more = {}) => parts.push(svg("text", { class: cls, x, y, ...more }, words));
-    const rect = (cls, y, tall, more = {}) => tall > 0 && parts.push(svg("rect", { class: cls, x: left, y, width, height: tall, ...more }));
-    const yOf = (v) => this.toPixel(0, v)[1], xOf = (u) => this.toPixel(u, 0)[0];
-    const us = ticks(u0, u1, width, 26), vs = ticks(v0, v1, height, 28);
+    const text = (cls, x, y, words, more = {}) =>
+      parts.push(svg("text", { class: cls, x, y, ...more }, words));
+    const rect = (cls, y, tall, more = {}) =>
+      tall > 0 && parts.push(svg("rect", { class: cls, x: left, y, width, height: tall, ...more }));
+    const yOf = (v) => this.toPixel(0, v)[1],
+      xOf = (u) => this.toPixel(u, 0)[0];
+    const us = ticks(u0, u1, width, 26),
+      vs = ticks(v0, v1, height, 28);
 
     rect("rl-paper", top, height);
-    path("rl-grid", us.map((k) => `M${xOf(k * PI)} ${top}V${bottom}`).join("") + vs.map((k) => `M${left} ${yOf(k * PI)}H${right}`).join(""));
+    path(
+      "rl-grid",
+      us.map((k) => `M${xOf(k * PI)} ${top}V${bottom}`).join("") +
+        vs.map((k) => `M${left} ${yOf(k * PI)}H${right}`).join(""),
+    );
     rect("rl-beyond", top, Math.min(yOf(0), bottom) - top, { fill: this.hatchUrl });
     rect("rl-beyond", Math.max(yOf(PI), top), bottom - Math.max(yOf(PI), top), { fill: this.hatchUrl });
-    for (let u = this.extent.sheet + TURN * Math.ceil((u0 - this.extent.sheet) / TURN); u <= u1; u += TURN) path("rl-edge", `M${xOf(u)} ${Math.max(top, yOf(0))}V${Math.min(bottom, yOf(PI))}`);
+    for (let u = this.extent.sheet + TURN * Math.ceil((u0 - this.extent.sheet) / TURN); u <= u1; u += TURN)
+      path("rl-edge", `M${xOf(u)} ${Math.max(top, yOf(0))}V${Math.min(bottom, yOf(PI))}`);
     rect("rl-frame", top, height);
     this.drawPole(path, text, yOf(0), "north pole", 1);
     this.drawPole(path, text, yOf(PI), "south pole", -1);
 
-    path("rl-mark", us.map((k) => `M${xOf(k * PI)} ${bottom}v4`).join("") + vs.map((k) => `M${left} ${yOf(k * PI)}h-4`).join(""));
-    for (const k of us) parts.push(tickLabel(k, xOf(k * PI), bottom + (asFraction(k).bottom ? 17 : 12), "middle"));
+    path(
+      "rl-mark",
+      us.map((k) => `M${xOf(k * PI)} ${bottom}v4`).join("") +
+        vs.map((k) => `M${left} ${yOf(k * PI)}h-4`).join(""),
+    );
+    for (const k of us)
+      parts.push(tickLabel(k, xOf(k * PI), bottom + (asFraction(k).bottom ? 17 : 12), "middle"));
     for (const k of vs) parts.push(tickLabel(k, left - 8, yOf(k * PI), "end"));
     this.nameAxes(parts, left + width / 2, bottom + 42, top + height / 2);
     this.axes.replaceChildren(...parts);
@@ -794,7 +976,9 @@ class View {
 
   // A pole is a whole edge of the chart; out of view, an arrow says where it is.
   drawPole(path, text, y, name, sign) {
-    const { left, top, width, height } = this.size, bottom = top + height, middle = left + width / 2;
+    const { left, top, width, height } = this.size,
+      bottom = top + height,
+      middle = left + width / 2;
     if (y >= top - 0.5 && y <= bottom + 0.5) {
       const roomy = (sign > 0 ? y - top : bottom - y) > 15;
       path("rl-pole", `M${left} ${y}h${width}`);
@@ -804,14 +988,22 @@ class View {
   }
 
   nameAxes(parts, x, y, middle) {
-    const name = (words, symbol, more) => svg("text", { class: "rl-name", ...more }, words, svg("tspan", { class: "rl-math" }, symbol));
-    parts.push(name("longitude ", "u", { x, y }), name("colatitude ", "v", { transform: `translate(12 ${middle}) rotate(-90)` }));
+    const name = (words, symbol, more) =>
+      svg("text", { class: "rl-name", ...more }, words, svg("tspan", { class: "rl-math" }, symbol));
+    parts.push(
+      name("longitude ", "u", { x, y }),
+      name("colatitude ", "v", { transform: `translate(12 ${middle}) rotate(-90)` }),
+    );
   }
 
   trace(list) {
-    let d = "", pen = "M";
+    let d = "",
+      pen = "M";
     for (let i = 0; i + 1 < list.length; i += 2) {
-      if (!Number.isFinite(list[i]) || !Number.isFinite(list[i + 1])) { pen = "M"; continue; }
+      if (!Number.isFinite(list[i]) || !Number.isFinite(list[i + 1])) {
+        pen = "M";
+        continue;
+      }
       const [x, y] = this.toPixel(list[i], list[i + 1]);
       d += `${pen}${x.toFixed(2)} ${y.toFixed(2)}`;
       pen = "L";
@@ -829,8 +1021,10 @@ class View {
   // The marks of the seam: the neighbours of the joint linked through it, equal legs ticked as equal
   // (C1), the next neighbours linked by a parallel (C2).
   drawSeam() {
-    const turns = this.turns(), n = this.count - 1;
-    let links = "", marks = "";
+    const turns = this.turns(),
+      n = this.count - 1;
+    let links = "",
+      marks = "";
     if (turns !== null && this.closing !== "C0") {
       for (const base of turns ? [0, turns * TURN] : [0]) {
         const near = (i) => [this.points[2 * i] + base, this.points[2 * i + 1]];
@@ -845,9 +1039,14 @@ class View {
   }
 
   legMark(a, b) {
-    const [ax, ay] = this.toPixel(...a), [bx, by] = this.toPixel(...b), length = Math.hypot(bx - ax, by - ay);
+    const [ax, ay] = this.toPixel(...a),
+      [bx, by] = this.toPixel(...b),
+      length = Math.hypot(bx - ax, by - ay);
     if (length < 24) return "";
-    const nx = (-4.5 * (by - ay)) / length, ny = (4.5 * (bx - ax)) / length, x = (ax + bx) / 2, y = (ay + by) / 2;
+    const nx = (-4.5 * (by - ay)) / length,
+      ny = (4.5 * (bx - ax)) / length,
+      x = (ax + bx) / 2,
+      y = (ay + by) / 2;
     return `M${x - nx} ${y - ny}L${x + nx} ${y + ny}`;
   }
 
@@ -857,8 +1056,18 @@ class View {
     const joint = this.turns();
     this.handles.forEach((g, i) => this.drawHandle(g, i, joint));
     const [u, v] = this.count ? this.at(this.chosen) : [NaN, NaN];
-    const shown = this.count ? [["p", this.chosen], ["u", plain(u)], ["v", plain(v)]] : [];
-    this.readout.replaceChildren(...shown.map(([symbol, value], k) => html("span", {}, html("i", {}, symbol), k ? html("b", {}, ` ${value}`) : html("sub", {}, `${value}`))));
+    const shown = this.count
+      ? [
+          ["p", this.chosen],
+          ["u", plain(u)],
+          ["v", plain(v)],
+        ]
+      : [];
+    this.readout.replaceChildren(
+      ...shown.map(([symbol, value], k) =>
+        html("span", {}, html("i", {}, symbol), k ? html("b", {}, ` ${value}`) : html("sub", {}, `${value}`)),
+      ),
+    );
     this.buttons.remove.disabled = this.count <= 2;
   }
 
@@ -868,7 +1077,9 @@ class View {
   }
 
   drawHandle(g, index, joint) {
-    const [x, y] = this.toPixel(...this.at(index)), chosen = index === this.chosen, last = this.count - 1;
+    const [x, y] = this.toPixel(...this.at(index)),
+      chosen = index === this.chosen,
+      last = this.count - 1;
     const hidden = this.canonical(index) !== index;
     set(g, {
       transform: `translate(${x.toFixed(2)} ${y.toFixed(2)})`,
@@ -879,7 +1090,8 @@ class View {
     });
     g.classList.toggle("rl-chosen", chosen);
     g.classList.toggle("rl-tied", joint !== null && (index === 0 || index === last));
-    const label = g.lastChild, [lx, ly] = this.outward(index, joint);
+    const label = g.lastChild,
+      [lx, ly] = this.outward(index, joint);
     const words = joint === 0 && index === 0 ? `0=${last}` : `${index}`;
     if (label.textContent !== words) label.textContent = words;
     set(label, { x: lx.toFixed(1), y: (ly + 4).toFixed(1) });
@@ -887,21 +1099,30 @@ class View {
 
   // Where a point's number stands: away from the legs that meet there, and inside the frame.
   outward(index, joint) {
-    const last = this.count - 1, [x, y] = this.toPixel(...this.at(index));
-    const before = index > 0 ? index - 1 : joint === 0 ? last - 1 : -1, after = index < last ? index + 1 : -1;
-    let sx = 0, sy = 0, ax = 0, ay = 0;
+    const last = this.count - 1,
+      [x, y] = this.toPixel(...this.at(index));
+    const before = index > 0 ? index - 1 : joint === 0 ? last - 1 : -1,
+      after = index < last ? index + 1 : -1;
+    let sx = 0,
+      sy = 0,
+      ax = 0,
+      ay = 0;
     for (const other of [before, after]) {
       if (other < 0) continue;
-      const [ox, oy] = this.toPixel(...this.at(other)), length = Math.hypot(ox - x, oy - y);
+      const [ox, oy] = this.toPixel(...this.at(other)),
+        length = Math.hypot(ox - x, oy - y);
       if (length < 1e-6) continue;
       [ax, ay] = [(ox - x) / length, (oy - y) / length];
-      sx -= ax; sy -= ay;
+      sx -= ax;
+      sy -= ay;
     }
     if (Math.hypot(sx, sy) < 0.25) [sx, sy] = ax || ay ? (ax > 0 ? [ay, -ax] : [-ay, ax]) : [0.7, -0.7];
-    const length = Math.hypot(sx, sy), far = joint === 0 && index === 0 ? 22 : index === this.chosen ? 19 : 16;
-    let dx = (far * sx) / length, dy = (far * sy) / length;
+    const length = Math.hypot(sx, sy),
+      far = joint === 0 && index === 0 ? 22 : index === this.chosen ? 19 : 16;
+    let dx = (far * sx) / length,
+      dy = (far * sy) / length;
     const { left, top, width, height } = this.size;
-    if (x + dx < left - 4 || x + dx > left + width + 4) dx = -dx;
+    if (x + dx < left - 2 || x + dx > left + width + 2) dx = -dx;
     if (y + dy < top - 4 || y + dy > top + height - 2) dy = -dy;
     return [dx, dy];
   }
@@ -910,7 +1131,13 @@ class View {
     const place = this.model.get("cursor") ?? [];
     const shown = place.length === 2 && this.size && this.extent;
     this.dot.setAttribute("visibility", shown ? "inherit" : "hidden");
-    if (shown) this.dot.setAttribute("transform", `translate(${this.toPixel(...place).map((a) => a.toFixed(2)).join(" ")})`);
+    if (shown)
+      this.dot.setAttribute(
+        "transform",
+        `translate(${this.toPixel(...place)
+          .map((a) => a.toFixed(2))
+          .join(" ")})`,
+      );
   }
 }
 

@@ -157,7 +157,7 @@ function render({ model, el }) {
   let shownStrips = null;
   let held = null; // the t under the pointer, ahead of what Python has answered
   let release = 0; // timer that lets go of it
-  let request = 0;
+  let drawing = false;
   let resizing = 0;
   let outputs = [];
 
@@ -241,12 +241,14 @@ function render({ model, el }) {
     redraw();
   }
 
+  /** Once per message, and at once: it costs less than waiting for a frame would save. */
   function redraw() {
-    if (!request) request = requestAnimationFrame(draw);
+    if (!drawing) queueMicrotask(draw);
+    drawing = true;
   }
 
   function draw() {
-    request = 0;
+    drawing = false;
     const { width, height, axes } = frame();
     const notes = model.get("notes");
     const density = window.devicePixelRatio || 1;
@@ -392,7 +394,6 @@ function render({ model, el }) {
     window.removeEventListener("resize", zoomed);
     clearTimeout(resizing);
     clearTimeout(release);
-    cancelAnimationFrame(request);
     for (const name of changes) model.off(`change:${name}`, changed);
     model.off("change:cursor", readCursor);
   };
