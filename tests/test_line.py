@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import FrozenInstanceError
 
+import mpmath
 import numpy as np
 import pytest
 from hypothesis import assume, given, settings
@@ -122,8 +123,10 @@ def test_any_dual_vector_gives_a_line_once_normalised(real, dual):
     close(np.cross(line.direction, real), 0.0)
 
 
-def test_a_distant_point_along_the_line_leaves_the_moment_normal():
-    line = Line.from_point_direction(1e9 * np.array([1.0, 2.0, -3.0]), [1, 2, -3.000001])
+@pytest.mark.parametrize("seed", range(5))
+def test_a_distant_point_along_the_line_leaves_the_moment_normal(seed):
+    near, direction = np.random.default_rng(seed).normal(size=(2, 3))
+    line = Line.from_point_direction(near + 1e10 * direction, direction)
     same_line(Line.from_dual(line.dual), line)
     same_line(Line.from_plucker(line.plucker), line)
 
@@ -523,6 +526,39 @@ def test_nearly_parallel_lines_keep_every_digit(angle, height):
     found = common_perpendicular(X_AXIS, b)
     close(found.foot_a, [0, 0, 0])
     close(found.foot_b, [0, 0, height])
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+@pytest.mark.parametrize("angle", [1e-4, 1e-7, 1e-10])
+@pytest.mark.parametrize("seed", range(3))
+def test_nearly_parallel_lines_of_any_direction_against_long_arithmetic(seed, angle, side):
+    """Angle and distance of the very same floating-point lines, in 60 digits."""
+    p, q, d, turn = np.random.default_rng(seed).normal(size=(4, 3))
+    a = Line.from_point_direction(p, d)
+    b = Line.from_point_direction(q, side * a.direction + angle * turn)
+    exact_angle, exact_distance = in_sixty_digits(a, b)
+    got = dual_angle(a, b)
+    off = got.real if side > 0 else math.pi - got.real
+    exact_off = exact_angle if side > 0 else mpmath.pi - exact_angle
+    assert off == pytest.approx(float(exact_off), rel=1e-13, abs=0.0 if side > 0 else 1e-15)
+    assert got.dual == pytest.approx(float(exact_distance), rel=1e-12, abs=1e-13)
+
+
+def in_sixty_digits(a, b):
+    with mpmath.workdps(60):
+        x, xbar, y, ybar = (
+            [mpmath.mpf(float(entry)) for entry in part]
+            for part in (a.direction, a.moment, b.direction, b.moment)
+        )
+        n = long_cross(x, y)
+        sine, cosine = mpmath.norm(n), mpmath.fdot(x, y)
+        p, q = long_cross(x, xbar), long_cross(y, ybar)
+        gap = [end - start for start, end in zip(p, q, strict=True)]
+        return mpmath.atan2(sine, cosine), mpmath.fdot(gap, n) / sine
+
+
+def long_cross(a, b):
+    return [a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3)]
 
 
 def test_the_tolerance_for_parallel_is_the_named_one():

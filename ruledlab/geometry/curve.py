@@ -180,6 +180,30 @@ class Bezier:
         new = _weights(n + times, times) / _binomials(n + times)[:, np.newaxis]
         return Bezier(new @ self.points)
 
+    def lowered(self, times: int = 1) -> Bezier:
+        """Return the curve of degree lower by ``times`` ≥ 0 with the nearest control polygon.
+
+        The end points stay; of the others, raised again, the distance to the present control
+        points is least (root of the sum of squares). It undoes `raised`.
+
+        Raises
+        ------
+        GeometryError
+            if the degree would fall below 1.
+        """
+        n, times = self.degree, _whole(times, "times", 0)
+        if n - times < 1:
+            raise GeometryError(
+                f"`times` must leave the degree at 1 or above; got {n} − {times}; lower it less"
+            )
+        if times == 0:
+            return self
+        raising = _weights(n, times) / _binomials(n)[:, np.newaxis]
+        points = np.concatenate([self.points[..., :1, :], self.points[..., -1:, :]], axis=-2)
+        rest = self.points - raising[:, [0, -1]] @ points
+        inner = np.linalg.pinv(raising[1:-1, 1:-1]) @ rest[..., 1:-1, :]
+        return Bezier(np.concatenate([points[..., :1, :], inner, points[..., 1:, :]], axis=-2))
+
     def split(self, t: float) -> tuple[Bezier, Bezier]:
         """Cut the curve at 0 < t < 1 by de Casteljau's algorithm.
 
@@ -337,11 +361,10 @@ def seam(curve: Bezier | npt.ArrayLike) -> Seam:
     n, turns = len(points) - 1, _turns(points)
     jumps = _jumps(points, turns)
     order = _order_of(jumps, _tolerance(points))
-    legs = points[1] - points[0], points[-1] - points[-2]
-    sense = _sense(*legs, ROUNDING * float(np.abs(points).max())) if order == 0 else 0
+    meeting = _meeting(points)
     gaps = jumps * np.array([[1.0], [n], [n * (n - 1)]])
-    reason = _reason(points, order, sense, gaps, turns)
-    return Seam(order, sense > 0, frozen(gaps), turns, reason)
+    reason = _reason(points, order, meeting, gaps, turns)
+    return Seam(order, order == 0 and meeting == "smooth", frozen(gaps), turns, reason)
 
 
 def _turns(points: Array) -> int:
@@ -369,16 +392,19 @@ def _order_of(jumps: Array, tolerance: float) -> int:
     return int(np.cumprod(holds).sum()) - 1
 
 
-def _sense(first: Array, last: Array, rounding: float) -> int:
-    """Return 1 for legs of the same direction, −1 for opposite ones, 0 for any other pair."""
+def _meeting(points: Array) -> str:
+    """Return how the directions of the first and the last leg compare: a key of `_MEETINGS`."""
+    first, last = points[1] - points[0], points[-1] - points[-2]
     a, b = float(np.linalg.norm(first)), float(np.linalg.norm(last))
-    cross = float(first[0] * last[1] - first[1] * last[0])
-    if min(a, b) <= rounding or abs(cross) > CLOSING * a * b + rounding * (a + b):
-        return 0
-    return 1 if float(first @ last) > 0 else -1
+    rounding = ROUNDING * float(np.abs(points).max())
+    if min(a, b) <= rounding:
+        return "stop"
+    if abs(float(first[0] * last[1] - first[1] * last[0])) > CLOSING * a * b + rounding * (a + b):
+        return "corner"
+    return "smooth" if float(first @ last) > 0 else "cusp"
 
 
-def _reason(points: Array, order: int, sense: int, gaps: Array, turns: int) -> str:
+def _reason(points: Array, order: int, meeting: str, gaps: Array, turns: int) -> str:
     if not np.ptp(points, axis=0).any():
         return "All control points coincide: the curve is a single point."
     if order == -1:
@@ -387,17 +413,20 @@ def _reason(points: Array, order: int, sense: int, gaps: Array, turns: int) -> s
     after = {0: "", 1: " after one turn in u", -1: " after one turn back in u"}
     meet = "The ends meet" + after.get(turns, f" after {turns} turns in u")
     if order == 0:
-        return f"{meet} {_CORNERS[sense]}"
+        return f"{meet} {_MEETINGS[meeting]}"
     if order == 1:
         return f"{meet} with equal first derivatives (C¹), but the second derivatives jump."
     return f"{meet} with equal first and second derivatives (C²)."
 
 
-_CORNERS = {
-    1: "with one tangent line but different speed: G¹, not C¹, because "
+_MEETINGS = {
+    "smooth": "with one tangent direction but different speed: G¹, not C¹, because "
     "p₁ − p₀ and pₙ − pₙ₋₁ have different lengths.",
-    0: "only as points (C⁰): there is a corner, p₁ − p₀ and pₙ − pₙ₋₁ differ in direction.",
-    -1: "only as points (C⁰): the curve turns back on itself, p₁ − p₀ and pₙ − pₙ₋₁ are opposite.",
+    "corner": "only as points (C⁰): there is a corner, p₁ − p₀ and pₙ − pₙ₋₁ differ in direction.",
+    "cusp": "only as points (C⁰): the curve turns back on itself, "
+    "p₁ − p₀ and pₙ − pₙ₋₁ are opposite.",
+    "stop": "only as points (C⁰): the curve stops there on one side, "
+    "p₁ − p₀ or pₙ − pₙ₋₁ is zero and the other is not.",
 }
 
 

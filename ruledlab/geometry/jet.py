@@ -126,9 +126,9 @@ def measure(jet: Jet) -> tuple[Array, Flags]:
     cylindrical = kappa <= CYLINDRICAL * np.asarray(jet.scale)
     size = np.where(cylindrical, np.nan, kappa)
     square = size * size
-    lengths = np.sqrt(np.einsum("kai...,kai...->ka...", jet.rows, jet.rows))
+    lengths = np.abs(jet.rows).max(axis=2)  # squares of long vectors would overflow
     kappa_bar = dot(x1, y1) / size
-    kappa_bar[np.abs(kappa_bar) <= TORSAL * lengths[1, 1]] = 0.0
+    kappa_bar[np.abs(kappa_bar) < TORSAL * lengths[1, 1]] = 0.0
     kappa_prime = dot(x1, x2) / size
     kappa_bar_prime = (dot(x2, y1) + dot(x1, y2) - kappa_bar * kappa_prime) / size
     delta = kappa_bar / size

@@ -259,7 +259,7 @@ class RuledSurface:
                     part = slice(start, start + block)
                     values[..., part], flags[..., part] = measure(self.jet(flat[part]))
         shape = (*batch, *t.shape)
-        return values.reshape(-1, *shape), flags.reshape(-1, *shape)
+        return values.reshape(len(values), *shape), flags.reshape(len(flags), *shape)
 
     @property
     def _block(self) -> int:
@@ -278,6 +278,8 @@ class RuledSurface:
                 for start in range(block, flat.size, block):
                     part = slice(start, start + block)
                     values[..., part] = function(self.jet(flat[part], order))
+            if not np.isfinite(values.sum()):
+                values[~np.isfinite(values)] = np.nan
         return values.reshape(values.shape[:-1] + t.shape)
 
     def line(self, t: npt.ArrayLike) -> Line:

@@ -1,8 +1,8 @@
-"""The interactive half: `Lab`, the state of a laboratory, and `studio`, the whole of it."""
+"""The interactive half: `Lab`, the state of a laboratory, and the apps that show one."""
 
 from __future__ import annotations
 
-from .apps import studio
+from .apps import chart, example, sphere, studio, surface
 from .state import Lab
 
-__all__ = ["Lab", "studio"]
+__all__ = ["Lab", "chart", "example", "sphere", "studio", "surface"]

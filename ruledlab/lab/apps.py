@@ -8,8 +8,10 @@ place, and what is used once in a while is folded away at the foot.
 from __future__ import annotations
 
 import pathlib
+from collections.abc import Callable
 from typing import Any, Final
 
+import anywidget
 import ipywidgets as w
 
 from ..design import Design
@@ -18,6 +20,7 @@ from .cells import closes_with_cell
 from .controls import (
     FieldControl,
     GalleryControl,
+    Group,
     HistoryControl,
     LookControl,
     PointControl,
@@ -32,9 +35,10 @@ from .share import Share
 from .state import Change, Lab
 from .view3d import SurfaceView
 
-__all__ = ["Studio", "studio"]
+__all__ = ["App", "Studio", "chart", "sphere", "studio", "surface"]
 
-_STYLE: Final = (pathlib.Path(__file__).parent / "static" / "studio.css").read_text()
+_STATIC: Final = pathlib.Path(__file__).parent / "static"
+_STYLE: Final = (_STATIC / "studio.css").read_text(encoding="utf-8")
 
 
 def studio(design: Design | None = None) -> Studio:
@@ -55,11 +59,42 @@ def studio(design: Design | None = None) -> Studio:
     >>> from ruledlab.lab import studio  # doctest: +SKIP
     >>> studio()  # doctest: +SKIP
     """
-    return Studio(Lab(design or design_of(gallery.example("example_2"))))
+    return Studio(Lab(design or example("example_2")))
 
 
-class Studio(w.VBox):
-    """Chart, surface, plots and numbers of one lab.
+def example(key: str) -> Design:
+    """Return a surface of the gallery as a design: ``example("hyperboloid")``."""
+    return design_of(gallery.example(key))
+
+
+def chart(lab: Lab) -> ChartFigure:
+    """Return the chart of a lab: its control points, to be moved."""
+    return ChartFigure(lab)
+
+
+def sphere(lab: Lab) -> SpaceFigure:
+    """Return the unit sphere of a lab with the spherical image."""
+    return SpaceFigure(lab, sphere=True)
+
+
+def surface(lab: Lab) -> SpaceFigure:
+    """Return the surface of a lab with its striction curve and moving frame."""
+    return SpaceFigure(lab, sphere=False)
+
+
+class _Names(anywidget.AnyWidget):
+    """Gives the sliders and fields of an app their accessible names, in the browser."""
+
+    _esm = _STATIC / "names.js"
+
+
+class App(w.VBox):
+    """Controls and views of one lab that live and close together.
+
+    Parameters
+    ----------
+    lab
+        the state, shared with other apps where several show the same lab.
 
     Attributes
     ----------
@@ -69,37 +104,82 @@ class Studio(w.VBox):
 
     def __init__(self, lab: Lab) -> None:
         self.lab = lab
-        self.pad = DomainPad()
-        self.plots = CurvePlots()
-        self.view = SurfaceView(620, 400)
-        self.points = PointControl(lab)
-        self.fields = FieldControl(lab)
-        self.time = TimeControl(lab)
-        self.history = HistoryControl(lab)
-        self.gallery = GalleryControl(lab)
-        self.look = LookControl(lab, self.view, self.plots)
-        self.readouts = Readouts(lab)
-        self.share = Share(lab, self.plots.export)
-        self._groups = (
-            self.points,
-            self.fields,
-            self.time,
-            self.history,
-            self.gallery,
-            self.look,
-            self.readouts,
-            self.share,
-        )
-        super().__init__([w.HTML(f"<style>{_STYLE}</style>"), self._grid()])
+        self._groups: list[Group] = []
+        self._views: list[Any] = []
+        self._releases: list[Callable[[], None]] = []
+        super().__init__()
         self.add_class("ruledlab")
+
+    def assemble(self, *parts: Any) -> None:
+        """Show the parts, follow the lab, and close when the notebook cell is run again."""
+        defects = [group.defect for group in self._groups]
+        self.children = (w.HTML(f"<style>{_STYLE}</style>"), _Names(), *parts, *defects)
+        self._releases.append(self.lab.follow(self.update))
+        self.update(Change(scene=True, mark=True, chosen=True, loaded=True))
+        closes_with_cell(self.close)
+
+    def update(self, change: Change) -> None:
+        """Pass what changed in the lab to the views that there are."""
+        for view in self._views:
+            _draw(view, self.lab, change)
+
+    def restyle(self, dark: bool) -> None:
+        """Change all views to the light or the dark theme."""
+        for view in self._views:
+            view.set_theme(DARK if dark else LIGHT)
+
+    def close(self) -> None:
+        """Close every widget and leave no observer behind; a second call does nothing."""
+        while self._releases:
+            self._releases.pop()()
+        for group in self._groups:
+            group.release()
+        for view in self._views:
+            view.close()
+        _close_all(self)
+
+
+def _draw(view: Any, lab: Lab, change: Change) -> None:
+    """Let one view draw what changed."""
+    scene, mark = lab.result.scene, lab.mark
+    match view:
+        case CurvePlots() if change.scene:
+            view.draw(scene, mark)
+        case DomainPad() if change.scene or change.chosen:
+            with view.hold_sync():
+                view.draw(scene, chosen=lab.chosen, closing=lab.design.closing)
+                view.draw_cursor(mark)
+        case _ if change.scene:
+            view.draw(scene)
+            view.draw_cursor(mark)
+        case _ if change.mark:
+            view.draw_cursor(mark)
+    if isinstance(view, SurfaceView):
+        if change.chosen:
+            view.choose(lab.chosen)
+        if change.loaded:
+            view.reset_view(scene)
+
+
+class Studio(App):
+    """Chart, surface, plots and numbers of one lab."""
+
+    def __init__(self, lab: Lab) -> None:
+        super().__init__(lab)
+        self.pad, self.plots, self.view = DomainPad(), CurvePlots(), SurfaceView(620, 400)
+        self.points, self.fields, self.time = PointControl(lab), FieldControl(lab), TimeControl(lab)
+        self.history, self.gallery = HistoryControl(lab), GalleryControl(lab)
+        self.look = LookControl(lab, self.view, self.plots)
+        self.readouts, self.share = Readouts(lab), Share(lab, self.plots.export)
+        self._views = [self.plots, self.pad, self.view]
+        self._groups = [self.points, self.fields, self.time, self.history, self.gallery]
+        self._groups += [self.look, self.readouts, self.share]
         self._releases = [
-            lab.follow(self._update),
-            self.pad.on_request(lambda request: self.points.guard(lambda: self._ask(request))),
-            self.pad.on_theme(self._restyle),
+            _connect(self.pad, self.points),
+            self.pad.on_theme(self.restyle),
             self.plots.on_pick(lab.move_cursor),
         ]
-        self._update(Change(scene=True, mark=True, chosen=True, loaded=True))
-        closes_with_cell(self.close)
+        self.assemble(self._grid())
 
     def _grid(self) -> Any:
         head = w.Box(
@@ -111,69 +191,61 @@ class Studio(w.VBox):
         right = w.VBox(
             [self.view.widget, self.time.widget, self.look.plot_bar, self.plots.widget]
         ).add_class("ruledlab-right")
-        foot = w.VBox([self.gallery.note, self._folded()]).add_class("ruledlab-foot")
-        return w.Box([head, left, right, foot]).add_class("ruledlab-grid")
-
-    def _folded(self) -> Any:
         folded = w.Accordion([self.look.more, self.share.widget, self.readouts.words])
         folded.titles = ("Drawing", "Save, open, share", "In words")
-        return folded
+        foot = w.VBox([self.gallery.note, folded]).add_class("ruledlab-foot")
+        return w.Box([head, left, right, foot]).add_class("ruledlab-grid")
 
-    # -- from the lab to the views ---------------------------------------------------------------
-
-    def _update(self, change: Change) -> None:
-        result, mark, lab = self.lab.result, self.lab.mark, self.lab
-        if change.scene:
-            self.plots.draw(result.scene, mark)
-            with self.pad.hold_sync():
-                self.pad.draw(result.scene, chosen=lab.chosen, closing=lab.design.closing)
-                self.pad.draw_cursor(mark)
-            self.view.draw(result.scene)
-            self.view.draw_cursor(mark)
-        elif change.mark:
-            self.plots.draw_cursor(mark)
-            self.pad.draw_cursor(mark)
-            self.view.draw_cursor(mark)
-        if change.chosen:
-            self.pad.chosen = lab.chosen
-            self.view.choose(lab.chosen)
-        if change.loaded:
-            self.view.reset_view(result.scene)
-
-    # -- from the pad to the lab -----------------------------------------------------------------
-
-    def _ask(self, request: PadRequest) -> None:
-        to = (request.u, request.v)
-        if request.kind == "choose":
-            self.lab.choose(request.index)
-            return
-        if request.kind == "add":
-            done = self.points.insert_at(request.index, to)
-        elif request.kind == "remove":
-            done = self.points.remove_at(request.index)
-        else:
-            done = self.points.place(request.index, to, ("pad", request.drag))
-        if request.kind == "end":
-            self.lab.seal()
-        if not done:
-            lab = self.lab
-            self.pad.draw(lab.result.scene, chosen=lab.chosen, closing=lab.design.closing)
-
-    def _restyle(self, dark: bool) -> None:
-        theme = DARK if dark else LIGHT
-        for view in (self.pad, self.plots, self.view):
-            view.set_theme(theme)
+    def restyle(self, dark: bool) -> None:
+        """Change all views to the light or the dark theme, and the legend with them."""
+        super().restyle(dark)
         self.look.update(Change(scene=True))
 
-    def close(self) -> None:
-        """Close every widget and leave no observer behind; a second call does nothing."""
-        while self._releases:
-            self._releases.pop()()
-        for group in self._groups:
-            group.release()
-        for part in (self.pad, self.plots, self.view):
-            part.close()
-        _close_all(self)
+
+class ChartFigure(App):
+    """The chart alone: control polygon, curve and closing (the paper's Figure 2)."""
+
+    def __init__(self, lab: Lab) -> None:
+        super().__init__(lab)
+        self.pad, self.points = DomainPad(), PointControl(lab)
+        self._views, self._groups = [self.pad], [self.points]
+        self._releases = [_connect(self.pad, self.points), self.pad.on_theme(self.restyle)]
+        self.assemble(w.HBox([self.pad, self.points.widget]).add_class("ruledlab-pair"))
+
+
+class SpaceFigure(App):
+    """One view in space with the cursor t below it: sphere (Figure 3) or surface (Figure 4)."""
+
+    def __init__(self, lab: Lab, *, sphere: bool) -> None:
+        super().__init__(lab)
+        self.view, self.time = SurfaceView(620, 380), TimeControl(lab)
+        self._views, self._groups = [self.view], [self.time]
+        if sphere:
+            self.view.sphere("only")
+        self.assemble(self.view.widget, self.time.widget)
+
+
+def _connect(pad: DomainPad, points: PointControl) -> Callable[[], None]:
+    """Let the pad's requests change the lab; return the function that ends it."""
+    return pad.on_request(lambda request: points.guard(lambda: _ask(request, pad, points)))
+
+
+def _ask(request: PadRequest, pad: DomainPad, points: PointControl) -> None:
+    lab, to = points.lab, (request.u, request.v)
+    match request.kind:
+        case "choose":
+            lab.choose(request.index)
+            return
+        case "add":
+            done = points.insert_at(request.index, to)
+        case "remove":
+            done = points.remove_at(request.index)
+        case _:
+            done = points.place(request.index, to, ("pad", request.drag))
+    if request.kind == "end":
+        lab.seal()
+    if not done:
+        pad.draw(lab.result.scene, chosen=lab.chosen, closing=lab.design.closing)
 
 
 def _close_all(widget: Any) -> None:

@@ -24,7 +24,7 @@ from ..geometry.checks import GeometryError
 from ..geometry.curve import Bezier, close, drag, insert, remove
 from ..geometry.field import CHOICES, FormulaError, field, named_number, number
 from ..geometry.gallery import GALLERY, Example
-from .scene import COLOURINGS, SYMBOLS
+from .scene import SYMBOLS
 from .state import Change, Lab
 
 __all__ = [
@@ -194,8 +194,8 @@ class NumberControl:
         self._whole, self._fixed = whole, fixed
         self._value = math.nan
         kind = w.IntSlider if whole else w.FloatSlider
-        self.slider = kind(min=span[0], max=span[1], step=step, readout=False)
-        self.slider.layout = w.Layout(flex="1 1 80px", min_width="60px", width="auto")
+        room = w.Layout(flex="1 1 80px", min_width="60px", width="auto")
+        self.slider = kind(min=span[0], max=span[1], step=step, readout=False, layout=room)
         self.slider.tooltip = name
         self.field = w.Text(
             continuous_update=False, layout=w.Layout(width="104px", flex="0 0 auto")
@@ -262,7 +262,7 @@ class PointControl(Group):
 
     def __init__(self, lab: Lab) -> None:
         super().__init__()
-        self._lab, self._strokes = lab, Strokes()
+        self.lab, self._strokes = lab, Strokes()
         self.u = NumberControl(
             self,
             "u",
@@ -304,7 +304,6 @@ class PointControl(Group):
                 self.count.widget,
                 w.HBox([seam, self.closing]).add_class("ruledlab-row"),
                 self.error,
-                self.defect,
             ]
         )
         self.on(self.chosen, "value", lab.choose)
@@ -316,46 +315,46 @@ class PointControl(Group):
 
     def place(self, index: int, to: Sequence[float], group: object) -> bool:
         """Move one control point; the closing condition stays."""
-        order = CLOSINGS[self._lab.design.closing]
+        order = CLOSINGS[self.lab.design.closing]
         return self._edit(
             lambda points: drag(points, index, np.asarray(to, dtype=float), order), group
         )
 
     def insert_at(self, index: int, at: Sequence[float]) -> bool:
         """Put a new control point before the present one of that index, and choose it."""
-        order = CLOSINGS[self._lab.design.closing]
-        count = len(self._lab.design.points)
+        order = CLOSINGS[self.lab.design.closing]
+        count = len(self.lab.design.points)
         index = max(1, min(index, count - 1)) if order >= 0 else max(0, min(index, count))
         if self._edit(lambda points: _inserted(points, index, at, order)):
-            self._lab.choose(index)
+            self.lab.choose(index)
             return True
         return False
 
     def remove_at(self, index: int) -> bool:
         """Take a control point away."""
-        order = CLOSINGS[self._lab.design.closing]
+        order = CLOSINGS[self.lab.design.closing]
         return self._edit(lambda points: remove(points, index, order))
 
     # -- inside ----------------------------------------------------------------------------------
 
     def _edit(self, change: Callable[[Any], Any], group: object = None) -> bool:
         def make() -> Design:
-            design = self._lab.design
+            design = self.lab.design
             return design.with_(points=change(np.array(design.points)))
 
-        return self._lab.attempt("points", make, group)
+        return self.lab.attempt("points", make, group)
 
     def _move(self, axis: int, value: float) -> None:
-        index = self._lab.chosen
-        to = list(self._lab.design.points[index])
+        index = self.lab.chosen
+        to = list(self.lab.design.points[index])
         if to[axis] != value:
             to[axis] = value
             self.place(index, to, self._strokes.token((index, axis)))
 
     def _raise_to(self, degree: float) -> None:
         order, steps = (
-            CLOSINGS[self._lab.design.closing],
-            int(degree) - len(self._lab.design.points) + 1,
+            CLOSINGS[self.lab.design.closing],
+            int(degree) - len(self.lab.design.points) + 1,
         )
 
         def changed(points: Any) -> Any:
@@ -365,24 +364,24 @@ class PointControl(Group):
             return close(curve.lowered(-steps).points, order)
 
         if not self._edit(changed, self._strokes.token("degree")):
-            self.count.show(len(self._lab.design.points) - 1)
+            self.count.show(len(self.lab.design.points) - 1)
 
     def _close(self, closing: str) -> None:
-        self._lab.attempt("points", lambda: self._lab.design.closed_with(closing))
+        self.lab.attempt("points", lambda: self.lab.design.closed_with(closing))
 
     def update(self, change: Change) -> None:
         """Follow the lab."""
         if change.error is not None:
             if change.source == "points":
                 self.put(self.error, value=error_html(plain(change.error)))
-                self.put(self.closing, value=self._lab.design.closing)
+                self.put(self.closing, value=self.lab.design.closing)
             return
         if change.scene or change.chosen or change.source == "points":
             self.put(self.error, value=error_html(None))
             self._show()
 
     def _show(self) -> None:
-        design, index = self._lab.design, self._lab.chosen
+        design, index = self.lab.design, self.lab.chosen
         last = len(design.points) - 1
         options = [(f"{i} of 0…{last}", i) for i in range(last + 1)]
         if len(self.chosen.options) != len(options):
@@ -425,7 +424,6 @@ class FieldControl(Group):
                 *(box for _, _, _, box in self.rows.values()),
                 self.typeset,
                 self.meaning,
-                self.defect,
             ]
         )
         self.on(self.pair, "value", self._choose)
@@ -435,8 +433,10 @@ class FieldControl(Group):
     def _row(self, name: str, symbol: str) -> tuple[Any, Any, Any, Any]:
         typed = w.Text(continuous_update=False, layout=w.Layout(width="auto", flex="1 1 90px"))
         typed.tooltip = f"{symbol}(u, v): a formula such as sin(2*u)*v"
-        menu = w.Dropdown(options=[("…", ""), *((text, text) for text in self.MENU)])
-        menu.layout = w.Layout(width="72px", flex="0 0 auto")
+        menu = w.Dropdown(
+            options=[("…", ""), *((text, text) for text in self.MENU)],
+            layout=w.Layout(width="72px", flex="0 0 auto"),
+        )
         menu.tooltip = f"formulas for {symbol}"
         error = w.HTML()
         label = w.HTML(f'<span class="ruledlab-label">{symbol} =</span>')
@@ -500,9 +500,7 @@ class TimeControl(Group):
             lab.move_cursor,
             fixed=True,
         )
-        self.widget = w.VBox(
-            [w.HBox([self.play, self.t.widget]).add_class("ruledlab-time"), self.defect]
-        )
+        self.widget = w.VBox([w.HBox([self.play, self.t.widget]).add_class("ruledlab-time")])
         self.t.widget.layout.flex = "1 1 200px"
         self.on(self.play, "value", self._played)
         self.follow(lab, self.update)
@@ -594,8 +592,8 @@ class LookControl(Group):
     def __init__(self, lab: Lab, view: Any, plots: Any) -> None:
         super().__init__()
         self._lab, self._view, self._plots, self._strokes = lab, view, plots, Strokes()
-        self.colour = _menu("colour", [(key, key) for key in COLOURINGS], "plain")
-        self.colour.options = [("plain", "plain"), ("δ", "delta"), ("K", "gauss"), ("H", "mean")]
+        colourings = [("plain", "plain"), ("δ", "delta"), ("K", "gauss"), ("H", "mean")]
+        self.colour = _menu("colour", colourings, "plain")
         self.sphere = _menu(
             "sphere", [("inset", "inset"), ("large", "large"), ("off", "off")], "inset"
         )
@@ -634,7 +632,6 @@ class LookControl(Group):
                 self.length.widget,
                 self.samples.widget,
                 w.HBox([self.base, *self.parts]).add_class("ruledlab-bar"),
-                self.defect,
             ]
         )
         self.on(self.colour, "value", lab.colour)
@@ -645,15 +642,15 @@ class LookControl(Group):
         self.update(Change(scene=True))
 
     def _part(self, name: str, words: str) -> Any:
-        box = w.Checkbox(value=True, description=words, indent=False)
-        box.layout = w.Layout(width="auto")
+        room = w.Layout(width="auto")
+        box = w.Checkbox(value=True, description=words, indent=False, layout=room)
         self.on(box, "value", lambda shown: self._view.show(**{name: shown}))
         return box
 
     def _quantity(self, name: str) -> Any:
         shown = name in self._plots.names
-        button = w.ToggleButton(value=shown, description=SYMBOLS[name])
-        button.layout = w.Layout(width="44px")
+        room = w.Layout(width="44px")
+        button = w.ToggleButton(value=shown, description=SYMBOLS[name], layout=room)
         button.tooltip = f"plot {SYMBOLS[name]} over t ({UNITS[name]})"
         self.on(button, "value", lambda _: self._choose_plots())
         return button
@@ -753,7 +750,10 @@ def _button(words: str, icon: str, tooltip: str) -> Any:
 
 
 def _menu(words: str, options: list[tuple[str, str]], value: str) -> Any:
-    menu = w.Dropdown(options=options, value=value, description=words)
-    menu.style.description_width = "initial"
-    menu.layout = w.Layout(width="auto", min_width="110px")
-    return menu
+    return w.Dropdown(
+        options=options,
+        value=value,
+        description=words,
+        style={"description_width": "initial"},
+        layout=w.Layout(width="auto", min_width="110px"),
+    )

@@ -91,7 +91,7 @@ def texture_size(scene: Scene) -> tuple[int, int]:
     return shaders.ROWS - (-width // shaders.BYTES), STEP * -(-count // STEP)
 
 
-def rulings_data(scene: Scene) -> Array:
+def rulings_data(scene: Scene, scale: Scale | None = None) -> Array:
     """Return the texture of the rulings, (rows, columns, 4) float32, always finite."""
     count, controls = len(scene.t), len(scene.control_directions)
     data = np.zeros((*texture_size(scene), 4), dtype=np.float32)
@@ -113,7 +113,7 @@ def rulings_data(scene: Scene) -> Array:
     data[5, :controls, :3] = _kept(scene.control_directions, chosen)
     data[5, :controls, 3] = chosen
     if scene.colour is not None:
-        packed = colour_data(scene.colour, colour_scale(scene.colour))
+        packed = colour_data(scene.colour, scale or colour_scale(scene.colour))
         data[shaders.ROWS :, :count] = packed.swapaxes(0, 1)
     return data
 
@@ -411,6 +411,7 @@ class SurfaceView:
     ) -> None:
         self._theme = theme
         self._scene: Scene | None = None
+        self._scale: Scale | None = None
         self._mark: Mark | None = None
         self._arrow = 0.3
         self._mode: SphereMode = "inset"
@@ -588,7 +589,8 @@ class SurfaceView:
         """Show a scene; the camera stays where it is, except for the first scene."""
         first, self._scene = self._scene is None, scene
         rulings = self._blank(*texture_size(scene))
-        rulings.data = rulings_data(scene)
+        self._scale = None if scene.colour is None else colour_scale(scene.colour)
+        rulings.data = rulings_data(scene, self._scale)
         self._use(rulings)
         for name, shape in self._shapes(len(scene.t), len(scene.control_directions)).items():
             self._meshes[name].geometry = shape
@@ -621,11 +623,10 @@ class SurfaceView:
 
     def _colouring(self) -> dict[str, Any]:
         """Return the uniforms that colour the surface."""
-        colour = None if self._scene is None else self._scene.colour
-        if colour is None:
+        if self._scene is None or self._scene.colour is None or self._scale is None:
             return {"scalars": 0.0}
-        stops = _stops(colour_scale(colour).diverging, self._theme)
-        return {"scalars": float(colour.shape[1]), **{f"stop{i}": c for i, c in enumerate(stops)}}
+        stops = {f"stop{i}": c for i, c in enumerate(_stops(self._scale.diverging, self._theme))}
+        return {"scalars": float(self._scene.colour.shape[1]), **stops}
 
     def _everywhere(self, **values: Any) -> None:
         for material in self._materials.values():
@@ -732,7 +733,8 @@ class SurfaceView:
         """Return a colour bar with its ends and name as HTML; empty if the surface is plain."""
         if scene.colour is None:
             return ""
-        scale = colour_scale(scene.colour)
+        known = self._scale if scene is self._scene else None
+        scale = known or colour_scale(scene.colour)
         stops = ", ".join(_stops(scale.diverging, self._theme))
         low, high = ("≤ " * scale.clipped_low, "≥ " * scale.clipped_high)
         middle = "<span>0</span>" if scale.diverging else ""
