@@ -9,4 +9,4 @@ from .geometry import *  # noqa: F403
 from .geometry import __all__ as _geometry_names
 
 __version__ = "0.1.0"
-__all__ = [*_geometry_names, "__version__"]  # noqa: PLE0604
+__all__ = [*_geometry_names, "__version__"]

@@ -40,7 +40,7 @@ def loops(draw: st.DrawFn, order: int = 1) -> Bezier:
     radii = draw(st.lists(grid(0.6, 0.95), min_size=count, max_size=count))
     angles = 2.0 * np.pi * np.arange(count) / count
     ring = np.column_stack([radii * np.cos(angles), radii * np.sin(angles)])
-    points = np.vstack([ring, ring[:1]]) + (draw(grid(-2.0, 2.0)), np.pi / 2)
+    points = np.vstack([ring, ring[:1]]) + np.array([draw(grid(-2.0, 2.0)), np.pi / 2])
     closed = Bezier(close(points, order))
     return closed.reversed() if draw(st.booleans()) else closed
 

@@ -824,13 +824,19 @@ def test_removing(index: int, order: int | None) -> None:
         assert seam(new).order >= order
 
 
-@pytest.mark.parametrize("joint", [0, 6])
+@pytest.mark.parametrize("joint", [0, 7])
 @pytest.mark.parametrize("winding", [0, 1])
-def test_removing_the_joint_makes_the_next_point_the_joint(joint: int, winding: int) -> None:
-    points = closed_points(6, 0, winding=winding)
-    new = remove(points, joint, 0)
-    assert (new[:-1] == points[1:-1]).all()
-    assert (new[-1] == points[1] + [TURN * winding, 0]).all()
+@pytest.mark.parametrize("order", [0, 1])
+def test_removing_the_joint_makes_the_next_point_the_joint(
+    joint: int, winding: int, order: int
+) -> None:
+    for seed in range(5):
+        points = closed_points(7, order, seed, winding)
+        new = remove(points, joint, order)
+        assert (new[0] == points[1]).all()
+        assert (new[-1] == points[1] + [TURN * winding, 0]).all()
+        unmoved = (new[:-1] == points[1:-1]).all(axis=1)
+        assert np.count_nonzero(~unmoved) == order
 
 
 def test_removing_what_was_inserted_gives_the_polygon_back() -> None:

@@ -11,7 +11,6 @@ import tracemalloc
 from collections.abc import Callable
 from dataclasses import FrozenInstanceError
 from functools import cache
-from itertools import pairwise
 from typing import Any
 
 import mpmath
@@ -32,7 +31,7 @@ from ruledlab.geometry.surface import BLOCK, RuledSurface
 from .strategies import curves, formulas, grid, places, rotations, surfaces, translations
 
 LOCAL = QUANTITIES
-few = settings(max_examples=30)
+few = settings(max_examples=20)
 EXAMPLE_2 = np.array([[1, 2], [1, 3], [3, 3], [3, 2], [3, 1], [1, 1], [1, 2]]) * math.pi / 8
 QUARTIC = np.array([[0.2, 0.9], [0.7, 1.4], [1.5, 0.6], [2.2, 1.9], [2.9, 1.2]])
 
@@ -40,8 +39,8 @@ DESIGNS: dict[str, tuple[np.ndarray, str, str]] = {
     "example 1": (np.array([[0.2, 0.2], [1.9, 1.9]]), "u - v", "u + v"),
     "example 2": (EXAMPLE_2, "u - v", "u + v"),
     "quartic": (QUARTIC, "sin(u)*v", "exp(-v) + u**2/4"),
-    "poles between": (
-        np.array([[0.0, 1.0], [1.0, 4.0], [2.0, 5.0]]),
+    "beyond the pole": (  # v > π: the chart covers the sphere a second time
+        np.array([[0.5, 3.5], [1.0, 5.0], [2.0, 5.5]]),
         "arctan(u*v)",
         "sqrt(u + v)",
     ),
@@ -215,9 +214,8 @@ def by_mpmath(points: np.ndarray, fields: tuple[Callable[..., Any], ...], place:
         return [mpmath.cos(u) * mpmath.sin(v), mpmath.sin(u) * mpmath.sin(v), mpmath.cos(v)]
 
     def parts(e: Any, t: Any) -> tuple[Any, Any]:
-        x = mpmath.matrix(
-            [mpmath.taylor(lambda s, i=i: direction(e, s)[i], t, 2) for i in range(3)]
-        )
+        rows = [mpmath.taylor(lambda s, i=i: direction(e, s)[i], t, 2) for i in range(3)]
+        x = mpmath.matrix(rows)
         square = sum(x[i, 1] ** 2 for i in range(3))
         return mpmath.sqrt(square), 2 * mpmath.det(x) / square
 
@@ -228,13 +226,13 @@ def by_mpmath(points: np.ndarray, fields: tuple[Callable[..., Any], ...], place:
     return [float(value) for value in values]
 
 
-@pytest.mark.parametrize("place", [0.1, 0.72])
+@pytest.mark.parametrize("place", [0.1])
 def test_the_dual_parts_are_derivatives_of_real_geometry(place: float) -> None:
     fields = (
         lambda u, v: mpmath.sin(u) * v,
         lambda u, v: mpmath.exp(-v) + u**2 / 4,
     )
-    with mpmath.workdps(60):
+    with mpmath.workdps(40):
         expected = by_mpmath(QUARTIC, fields, place)
     names = ("kappa", "kappa_bar", "tau", "tau_bar", "kappa_prime", "kappa_bar_prime")
     found = design("quartic").invariants(place)
@@ -428,7 +426,7 @@ def test_turning_the_chart_about_the_axis_changes_nothing(
 ) -> None:
     surface = RuledSurface(curve, ubar, vbar)
     turned = RuledSurface(
-        Bezier(curve.points + (angle, 0.0)),
+        Bezier(curve.points + np.array([angle, 0.0])),
         lambda u, v: surface.ubar(u - angle, v),
         lambda u, v: surface.vbar(u - angle, v),
     )
@@ -570,8 +568,18 @@ def test_t_of_every_shape(shape: tuple[int, ...], batch: tuple[int, ...]) -> Non
         )
 
 
-@pytest.mark.parametrize("size", [BLOCK - 1, BLOCK, BLOCK + 1, 3 * BLOCK + 17, 100_000])
-@pytest.mark.parametrize("batch", [(), (3,)])
+@pytest.mark.parametrize(
+    ("size", "batch"),
+    [
+        (BLOCK - 1, ()),
+        (BLOCK, ()),
+        (BLOCK + 1, ()),
+        (100_000, ()),
+        (BLOCK // 3, (3,)),
+        (BLOCK // 3 + 1, (3,)),
+        (4 * BLOCK + 17, (3,)),
+    ],
+)
 def test_blocks_leave_no_seam(size: int, batch: tuple[int, ...]) -> None:
     points = QUARTIC + np.random.default_rng(3).uniform(-0.1, 0.1, (*batch, 5, 2))
     surface = RuledSurface(Bezier(points), "u - v", "u + v")
@@ -586,7 +594,7 @@ def test_blocks_leave_no_seam(size: int, batch: tuple[int, ...]) -> None:
     agree(surface.line(t).moment[..., probes, :], surface.line(few_places).moment, 1e-12)
 
 
-@pytest.mark.parametrize("method", ["invariants", "line", "foot", "striction", "frame"])
+@pytest.mark.parametrize("method", ["invariants", "frame"])  # the largest of each kind
 def test_a_million_values_within_400_megabytes(method: str) -> None:
     surface, t = design("example 2"), np.linspace(0, 1, 10**6)
     tracemalloc.start()
@@ -700,7 +708,7 @@ def test_a_formula_outside_its_domain_on_a_part() -> None:
         ("1/u", "v", t == 0.5),
         ("abs(u)", "v", t == 0.5),
         ("u**1.5", "v", t <= 0.5),
-        ("v", "arccos(2*v)", t >= 0.0),
+        ("v", "arccos(v)", t >= 0.5),
     ):
         surface = RuledSurface(line, ubar, vbar)
         report = only_reason(surface, t)
@@ -735,26 +743,27 @@ def test_enormous_lengths_are_lengths() -> None:
     small = RuledSurface(Bezier(EXAMPLE_2), "u", "v").invariants(t)
     large = RuledSurface(Bezier(EXAMPLE_2), "1e200*u", "1e200*v").invariants(t)
     assert large.undefined == ()
+    np.testing.assert_allclose(large.kappa_bar / 1e200, small.kappa_bar, rtol=1e-10)
     np.testing.assert_allclose(large.tau_bar / 1e200, small.tau_bar, rtol=1e-10)
     np.testing.assert_allclose(large.sigma, small.sigma, rtol=1e-10)
 
 
-def test_two_reasons_at_once_stay_apart() -> None:
-    # At rest where it starts, over a pole later, and log(v) from there on.
+def test_each_place_has_its_own_reason() -> None:
+    # v = 1 − 2t² comes to rest at t = 0, passes the pole at t = √½ and is negative after it.
     points = np.array([[0.0, 1.0], [0.0, 1.0], [1.0, -1.0]])
     surface = RuledSurface(Bezier(points), "log(v)", "1")
     t = np.array([0.0, 0.5, math.sqrt(0.5), 1.0])
     invariants = surface.invariants(t)
     nan_is_explained(invariants)
-    found = {report.reason.split()[0]: report.where.tolist() for report in invariants.undefined}
-    assert found["κ"] == [True, False, False, False]
-    assert found["ū"] == [False, False, False, True] or found["the"] == [False, False, True, False]
+    found = {report.reason: report.where.tolist() for report in invariants.undefined}
+    for part, where in (("pole", 2), ("cylindrical", 0), ("ū = log(v)", 3)):
+        (reason,) = (text for text in found if part in text)
+        assert found[reason] == [i == where for i in range(4)]
 
 
 def test_a_torsal_ruling_has_no_tangent_plane_at_its_striction_point_only() -> None:
-    conoid = RuledSurface(
-        Bezier(np.array([[0, math.pi / 2], [math.pi, math.pi / 2]])), "sin(2*u)", 0
-    )
+    half_turn = Bezier(np.array([[0, math.pi / 2], [math.pi, math.pi / 2]]))
+    conoid = RuledSurface(half_turn, "sin(2*u)", 0)
     curvature = conoid.curvature(0.25, [-1e-6, 0.0, 1e-6])
     assert conoid.invariants(0.25).kappa_bar == 0.0
     assert np.isnan(curvature.gauss).tolist() == [False, True, False]
@@ -830,4 +839,3 @@ def test_values_are_the_same_one_by_one() -> None:
     for i, place in enumerate(t):
         alone = values_of(surface.invariants(float(place)))
         np.testing.assert_allclose(together[:, i], alone, rtol=1e-12, atol=1e-14)
-    assert all(a < b for a, b in pairwise(t))

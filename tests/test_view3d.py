@@ -447,7 +447,12 @@ def test_sphere_modes(view):
     view.sphere("inset")
     assert 2 * view._materials["image"].uniforms["globe"]["value"][2] == pytest.approx(0.3 * 430)
     assert view._materials["surface"].uniforms["lens"]["value"] == [0, 0, 1]
-    with pytest.raises(ValueError, match="`mode` must be 'inset', 'large' or 'off'; got 'tiny'"):
+    view.sphere("only")
+    x, y, radius = view._materials["image"].uniforms["globe"]["value"]
+    assert (x, y) == (0, 0)
+    assert radius < 430 / 2
+    assert view._meshes["image"].visible
+    with pytest.raises(ValueError, match="^`mode` must be 'inset'.* got 'tiny'$"):
         view.sphere("tiny")
 
 

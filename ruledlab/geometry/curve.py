@@ -581,13 +581,13 @@ def drag(points: npt.ArrayLike, index: int, to: npt.ArrayLike, order: int | None
     old = _polygon(points)
     n, order = len(old) - 1, _closing_order(order)
     index, place = _index(index, n, "index"), _place(to, "to")
-    new, turns = old.copy(), _turns(old)
+    new = old.copy()
     if order >= 0 and index in (0, n):
         new[_joint(n, order)] += place - old[index]
-        around = TURN * turns if index == 0 else -TURN * turns
-        new[n - index] = place + np.array([around, 0.0])
+        # Ends that were equal to the last bit stay so.
+        new[n - index] = place + (old[n - index] - old[index])
     new[index] = place
-    return _closed(new, order, {index}, turns)
+    return _closed(new, order, {index}, _turns(old))
 
 
 def _joint(degree: int, order: int) -> list[int]:

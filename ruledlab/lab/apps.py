@@ -222,6 +222,7 @@ class SpaceFigure(App):
         self._views, self._groups = [self.view], [self.time]
         if sphere:
             self.view.sphere("only")
+            self.view.show(surface=False, rulings=False, striction=False, frame=False)
         self.assemble(self.view.widget, self.time.widget)
 
 

@@ -11,7 +11,7 @@ import html
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import ipywidgets
 import numpy as np
@@ -23,7 +23,7 @@ from ruledlab.lab.palette import LIGHT, Theme
 from ruledlab.lab.scene import Mark, Scene
 
 Array = npt.NDArray[np.floating[Any]]
-SphereMode = Literal["inset", "large", "off"]
+SphereMode = Literal["inset", "large", "only", "off"]
 
 BANDS = 32  # strips between the two ends of a ruling
 STEP = 40  # textures are this many columns wide, or a multiple of it
@@ -54,7 +54,7 @@ WORDS = "3D view of the ruled surface. Drag to turn, wheel to zoom, right button
 
 def _finite(*arrays: Array) -> npt.NDArray[np.bool_]:
     """Tell which rows are finite in all of the arrays."""
-    return np.logical_and.reduce([np.isfinite(a).all(axis=-1) for a in arrays])
+    return np.all([np.isfinite(a).all(axis=-1) for a in arrays], axis=0)
 
 
 def _kept(array: Array, valid: npt.NDArray[np.bool_], limit: float = 1e12) -> Array:
@@ -100,7 +100,7 @@ def rulings_data(scene: Scene, scale: Scale | None = None) -> Array:
     striction = _near(scene.striction, scene)
     chosen = _finite(scene.control_directions)
     low, high = _ends(scene)
-    rows = (
+    rows: tuple[tuple[Array, npt.NDArray[np.bool_], Any], ...] = (
         (scene.base, placed, placed),
         (scene.direction, turning, low),
         (scene.base_rate, placed, high),
@@ -208,7 +208,7 @@ def colour_data(values: Array, scale: Scale) -> Array:
     valid = np.isfinite(values)
     part = (np.where(valid, values, scale.low) - scale.low) / (scale.high - scale.low)
     codes[:, :width] = np.where(valid, np.floor(1.5 + 254.0 * np.clip(part, 0.0, 1.0)), 0.0)
-    packed = codes.reshape(count, -1, 4, 3) @ (1.0, 256.0, 65536.0)
+    packed: Array = codes.reshape(count, -1, 4, 3) @ np.array([1.0, 256.0, 65536.0])
     return packed.astype(np.float32)
 
 
@@ -287,7 +287,7 @@ def _marks() -> three.BufferGeometry:
 
 def _controls(capacity: int) -> three.BufferGeometry:
     """Return squares for the control points on the sphere."""
-    number = np.repeat(np.arange(capacity), 4)
+    number = np.repeat(np.arange(float(capacity)), 4)
     return _geometry(_quads(capacity), number=number, corner=np.tile(SQUARE, (capacity, 1)))
 
 
@@ -673,16 +673,19 @@ class SurfaceView:
         """Show or hide parts of the picture; ``None`` leaves a part as it is."""
         wanted = {"surface": surface, "rulings": rulings, "striction": striction, "frame": frame}
         self._shown |= {name: bool(on) for name, on in wanted.items() if on is not None}
-        meshes = {"surface": ("surface",), "rulings": ("lattice",)}
+        meshes: dict[str, tuple[str, ...]] = {"surface": ("surface",), "rulings": ("lattice",)}
         meshes |= {"striction": ("striction", "striction hidden"), "frame": ("mark", "mark hidden")}
         for name, parts in meshes.items():
             for part in parts:
                 self._meshes[part].visible = self._shown[name]
 
     def sphere(self, mode: SphereMode) -> None:
-        """Show the unit sphere as an inset, in half of the canvas (``"large"``), or not at all."""
-        if mode not in ("inset", "large", "off"):
-            raise ValueError(f"`mode` must be 'inset', 'large' or 'off'; got {mode!r}")
+        """Show the unit sphere as an inset, in half of the canvas (``"large"``), or not at all.
+
+        ``"only"`` shows it in the middle; hide the surface with `show`.
+        """
+        if mode not in get_args(SphereMode):
+            raise ValueError(f"`mode` must be 'inset', 'large', 'only' or 'off'; got {mode!r}")
         self._mode = mode
         self._place_sphere()
         for part in ("globe", "image", "controls", "needle"):
@@ -690,12 +693,14 @@ class SurfaceView:
 
     def _place_sphere(self) -> None:
         width, height = float(self._renderer.width), float(self._renderer.height)
-        lens, radius, margin = (0.0, 0.0, 1.0), 0.15 * height, 0.04 * height
+        lens, radius, margin = (0.0, 0.0, 1.0), 0.15 * height, 0.055 * height
         x = 1.0 - 2.0 * (radius + margin) / width
         y = -1.0 + 2.0 * (radius + margin) / height
         if self._mode == "large":
             half = min(0.5 * width, height)
             lens, radius, x, y = (-0.48, 0.0, half / min(width, height)), 0.41 * half, 0.5, 0.0
+        if self._mode == "only":
+            radius, x, y = 0.42 * min(width, height), 0.0, 0.0
         self._everywhere(viewport=(width, height), lens=lens, globe=(x, y, radius))
 
     def resize(self, width: int, height: int) -> None:
