@@ -744,6 +744,14 @@ def test_the_joint_carries_its_neighbours_rigidly(
     assert winding or (new[0] == new[-1]).all()
 
 
+def test_the_dragged_joint_stays_one_point_bitwise() -> None:
+    for seed in range(20):
+        points = closed_points(8, 2, seed)
+        for joint in (0, 8):
+            new = drag(points, joint, [1 / 3, 1 / 700], 2)
+            assert (new[[0, -1]] == [1 / 3, 1 / 700]).all()
+
+
 @pytest.mark.parametrize(
     ("order", "index", "follower"), [(1, 1, 7), (1, 7, 1), (2, 2, 6), (2, 6, 2)]
 )

@@ -452,7 +452,7 @@ def test_sphere_modes(view):
     assert (x, y) == (0, 0)
     assert radius < 430 / 2
     assert view._meshes["image"].visible
-    with pytest.raises(ValueError, match="^`mode` must be 'inset'.* got 'tiny'$"):
+    with pytest.raises(ValueError, match=r"^`mode` must be 'inset'.* got 'tiny'$"):
         view.sphere("tiny")
 
 

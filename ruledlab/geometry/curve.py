@@ -75,11 +75,13 @@ class Bezier:
 
     points: Array
     _taylor: Array = field(init=False)
+    _scale: float | Array = field(init=False)
 
     def __post_init__(self) -> None:
         points = frozen(_checked(self.points))
         object.__setattr__(self, "points", points)
         object.__setattr__(self, "_taylor", _taylor_matrix(points, 2))
+        object.__setattr__(self, "_scale", _longest_leg(points) * self.degree)
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Copies and unpickled curves are built anew: their arrays, too, are read-only.
@@ -107,9 +109,7 @@ class Bezier:
     @property
     def scale(self) -> float | Array:
         """Degree times the longest leg, a bound of ‖b′‖ on [0, 1]; an array for a batch."""
-        legs = np.linalg.norm(np.diff(self.points, axis=-2), axis=-1)
-        longest: Array = self.degree * legs.max(axis=-1)
-        return longest if self.batch_shape else float(longest)
+        return self._scale
 
     def __call__(self, t: npt.ArrayLike) -> Array:
         """Return the points b(t).
@@ -232,6 +232,11 @@ class Bezier:
 
 
 # -- evaluation ------------------------------------------------------------------------------------
+
+
+def _longest_leg(points: Array) -> float | Array:
+    longest: Array = np.linalg.norm(np.diff(points, axis=-2), axis=-1).max(axis=-1)
+    return frozen(longest) if longest.ndim else float(longest)
 
 
 def _evaluate(matrix: Array, t: Array) -> Array:

@@ -24,7 +24,7 @@ from .series import Series
 
 __all__ = ["Curvature", "Curve", "FundamentalForms", "Invariants", "RuledSurface", "Undefined"]
 
-BLOCK = 2048
+BLOCK = 4096
 """Values of t that are worked on at once: few enough to stay in the processor's cache."""
 
 

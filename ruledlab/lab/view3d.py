@@ -54,7 +54,7 @@ WORDS = "3D view of the ruled surface. Drag to turn, wheel to zoom, right button
 
 def _finite(*arrays: Array) -> npt.NDArray[np.bool_]:
     """Tell which rows are finite in all of the arrays."""
-    return np.all([np.isfinite(a).all(axis=-1) for a in arrays], axis=0)
+    return np.asarray(np.all([np.isfinite(a).all(axis=-1) for a in arrays], axis=0))
 
 
 def _kept(array: Array, valid: npt.NDArray[np.bool_], limit: float = 1e12) -> Array:
@@ -236,7 +236,7 @@ def _geometry(index: Array, **attributes: Array) -> three.BufferGeometry:
 
 def _quads(count: int) -> Array:
     """Index of ``count`` separate quads."""
-    return 4 * np.arange(count)[:, None] + np.array([0, 1, 2, 0, 2, 3])
+    return np.asarray(4 * np.arange(count)[:, None] + np.array([0, 1, 2, 0, 2, 3]))
 
 
 def _sheet(count: int) -> three.BufferGeometry:
