@@ -6,15 +6,17 @@ import base64
 import binascii
 import json
 import re
+import reprlib
 import zlib
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields, replace
+from numbers import Real
 from typing import Any
 
 import numpy as np
 
-from .geometry.checks import GeometryError, finite_array
-from .geometry.curve import Bezier, close, seam
+from .geometry.checks import GeometryError
+from .geometry.curve import LARGEST, MAX_DEGREE, Bezier, close, seam
 from .geometry.field import field
 from .geometry.surface import RuledSurface
 
@@ -31,6 +33,12 @@ BASES = ("striction", "foot")
 MOST_SAMPLES = 800
 LONGEST_JSON = 100_000
 """More characters than any design can need: a longer file is some other file."""
+
+LONGEST_TOKEN = 5
+"""Characters after the place of an error up to which a file seems cut off: half a ``false``."""
+
+MOST_PIECES = 100
+"""Pieces that a chat may break the short text into."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +83,7 @@ class Design:
         object.__setattr__(self, "ubar", _formula(self.ubar, "ubar"))
         object.__setattr__(self, "vbar", _formula(self.vbar, "vbar"))
         object.__setattr__(self, "length", _number(self.length, "length", 1e-6, 1e6))
-        object.__setattr__(self, "samples", int(_number(self.samples, "samples", 8, MOST_SAMPLES)))
+        object.__setattr__(self, "samples", _whole(self.samples, "samples", 8, MOST_SAMPLES))
         _one_of(self.closing, "closing", tuple(CLOSINGS))
         _one_of(self.base, "base", BASES)
         _title(self.name)
@@ -154,12 +162,12 @@ class Design:
         """
         if not isinstance(text, str) or len(text) > LONGEST_JSON:
             raise GeometryError(f"`text` must be a text that holds a word starting {PREFIX}")
-        found = re.search(re.escape(PREFIX) + r"\s*([A-Za-z0-9+/\s]+)", text)
-        if not found:
+        parts = text.split(PREFIX)[1:]
+        if not parts:
             raise GeometryError(
                 f"`text` must hold a word starting {PREFIX}; got none; copy the whole of it"
             )
-        values = _parsed(_unpacked(found[1].split()))
+        values = _parsed(_unpacked(parts))
         names = [entry.name for entry in fields(cls)]
         if not isinstance(values, list) or len(values) != len(names):
             raise GeometryError("`text` is not a design of this version; copy the whole of it")
@@ -173,23 +181,38 @@ def _tuples(points: Any) -> tuple[tuple[float, float], ...]:
 def _points(points: Any) -> tuple[tuple[float, float], ...]:
     if not hasattr(points, "__len__") or isinstance(points, str):
         raise GeometryError(f"`points` must be a list of pairs (u, v); got {_short(points)}")
-    if not 2 <= len(points) <= 61:
-        raise GeometryError(f"`points` must be 2 to 61 control points; got {len(points)}")
-    array = finite_array(points, "points")
-    if array.ndim != 2 or array.shape[1] != 2:
-        raise GeometryError(f"`points` must be pairs (u, v); got shape {array.shape}")
-    return _tuples(array)
+    most = MAX_DEGREE + 1
+    if not 2 <= len(points) <= most:
+        raise GeometryError(f"`points` must be 2 to {most} control points; got {len(points)}")
+    return tuple(_pair(point) for point in points)
+
+
+def _pair(point: Any) -> tuple[float, float]:
+    if not hasattr(point, "__len__") or isinstance(point, (str, Mapping)) or len(point) != 2:
+        raise GeometryError(f"`points` must be pairs (u, v); got {_short(point)} among them")
+    u, v = point
+    return _coordinate(u), _coordinate(v)
+
+
+def _coordinate(value: Any) -> float:
+    is_number = isinstance(value, Real) and not isinstance(value, bool)
+    if not is_number or not abs(value) <= LARGEST:
+        raise GeometryError(
+            f"`points` must be made of finite numbers of at most {LARGEST:g}; got {_short(value)} "
+            "among them"
+        )
+    return float(value)
 
 
 def _formula(value: Any, name: str) -> str:
     """Return the formula as typed; a callable has no text and cannot be saved."""
     parsed = field(value, name)
-    if callable(value) and not hasattr(value, "text"):
+    if parsed.text is None:
         raise GeometryError(
             f"`{name}` must be a typed formula or a number here; got a callable, which cannot be "
             "saved; use RuledSurface for it"
         )
-    return str(parsed.text)
+    return parsed.text
 
 
 def _number(value: Any, name: str, least: float, most: float) -> float:
@@ -199,6 +222,13 @@ def _number(value: Any, name: str, least: float, most: float) -> float:
             f"`{name}` must be a number between {least:g} and {most:g}; got {_short(value)}"
         )
     return float(value)
+
+
+def _whole(value: Any, name: str, least: int, most: int) -> int:
+    number = _number(value, name, least, most)
+    if number != int(number):
+        raise GeometryError(f"`{name}` must be a whole number; got {_short(value)}")
+    return int(number)
 
 
 def _one_of(value: Any, name: str, allowed: tuple[str, ...]) -> None:
@@ -230,34 +260,52 @@ def _parsed(text: Any) -> Any:
     try:
         return json.loads(text, parse_constant=_refuse_constant)
     except json.JSONDecodeError as error:
-        cut = error.pos >= len(text.rstrip()) - 1
-        what = "ends too early (cut off?)" if cut else f"is not JSON: {error.msg}"
+        what = "ends too early (cut off?)" if _cut(error) else f"is not JSON: {error.msg}"
         raise GeometryError(
             f"`text` {what} at line {error.lineno}, column {error.colno}; save the design again"
         ) from None
     except RecursionError:
         raise GeometryError("`text` is nested too deeply to be a design") from None
+    except GeometryError:
+        raise
+    except ValueError:  # Python's limit on the digits of a whole number
+        raise GeometryError("`text` has a number with too many digits to be a design") from None
+
+
+def _cut(error: json.JSONDecodeError) -> bool:
+    """Whether the text stops in the middle: in a string, a number, or where more must come."""
+    rest = error.doc[error.pos :].rstrip()
+    broken = error.msg.startswith("Unterminated") or len(rest) <= LONGEST_TOKEN
+    return broken and not error.msg.startswith("Extra data")
 
 
 def _refuse_constant(name: str) -> None:
     raise GeometryError(f"`text` must hold finite numbers only; got {name}; remove or replace it")
 
 
-def _unpacked(pieces: list[str]) -> str:
-    """Join pieces, for a chat may have broken the word, until they hold a whole design."""
-    for count in range(1, min(len(pieces), 100) + 1):
-        word = "".join(pieces[:count])
-        try:
-            packed = base64.b64decode(word + "=" * (-len(word) % 4), validate=True)
-            unpacker = zlib.decompressobj()
-            content = unpacker.decompress(packed, LONGEST_JSON)
-            if unpacker.eof:
-                return content.decode()
-        except (binascii.Error, zlib.error, UnicodeDecodeError):
-            continue
+def _unpacked(parts: list[str]) -> str:
+    """Return what the first whole word holds with which one of the parts begins."""
+    for part in parts:
+        # A chat may have broken the word; what follows it may look like one more piece of it.
+        pieces = re.findall("[A-Za-z0-9+/]+", part)[:MOST_PIECES]
+        for count in range(1, len(pieces) + 1):
+            content = _inflated("".join(pieces[:count]))
+            if content is not None:
+                return content
     raise GeometryError(f"`text` is damaged or cut off after {PREFIX}; copy the whole word again")
 
 
+def _inflated(word: str) -> str | None:
+    """Return what was packed into the word; None if that is not whole."""
+    unpacker = zlib.decompressobj()
+    try:
+        packed = base64.b64decode(word + "=" * (-len(word) % 4), validate=True)
+        content = unpacker.decompress(packed, LONGEST_JSON)
+        return content.decode() if unpacker.eof else None
+    except (binascii.Error, zlib.error, UnicodeDecodeError):
+        return None
+
+
 def _short(value: object) -> str:
-    text = repr(value)
+    text = " ".join(reprlib.repr(value).split())
     return text if len(text) <= 40 else text[:37] + "..."

@@ -208,10 +208,12 @@ def test_arc_lengths_against_quad() -> None:
     surface = example_2()
     lengths = surface.arc_lengths()
     for name in ("kappa", "kappa_bar", "tau", "tau_bar"):
-        value, error = quad(
-            lambda t, name=name: float(getattr(surface.invariants(t), name)), 0, 1, epsabs=1e-13
-        )
-        assert error < 1e-11
+
+        def at(t: float, name: str = name) -> float:
+            return float(getattr(surface.invariants(t), name))
+
+        value, error = quad(at, 0, 1, epsabs=1e-13, epsrel=1e-13, limit=200)
+        assert error < 1e-12
         assert getattr(lengths, name) == pytest.approx(value, rel=1e-12)
 
 
@@ -357,7 +359,7 @@ def test_a_reversed_direction_alone_is_no_moebius_closing() -> None:
     assert "not closed" in state.reason
 
 
-@pytest.mark.parametrize(("ubar", "place"), [("sqrt(u - 0.9)", "0"), ("log(1.1 - u)", "0.375")])
+@pytest.mark.parametrize(("ubar", "place"), [("sqrt(u - 0.9)", "0"), ("log(0.8 - u)", "0.375")])
 def test_a_line_that_is_undefined_on_the_way(ubar: str, place: str) -> None:
     surface = example_2(ubar, "v")
     state = surface.closure()
@@ -425,7 +427,7 @@ INTEGRALS = {
     "exponential": (np.exp, 0.0, 1.0, math.e - 1),
     "waves": (lambda t: np.sin(40 * t), 0.0, 1.0, (1 - math.cos(40)) / 40),
     "Runge": (lambda t: 1 / (1 + 25 * t * t), -1.0, 1.0, 2 * math.atan(5) / 5),
-    "narrow": (lambda t: 1 / (1e-4 + (t - 0.3) ** 2), 0.0, 1.0, 100 * (math.atan(70) + math.atan(30))),
+    "narrow": (lambda t: 0.01 / (1e-4 + t * t), -0.3, 0.7, math.atan(70) + math.atan(30)),
     "corner": (lambda t: np.abs(t - 1 / 3), 0.0, 1.0, 5 / 18),
     "short": (np.cos, 0.5, 0.5 + 1e-6, math.sin(0.5 + 1e-6) - math.sin(0.5)),
 }  # fmt: skip

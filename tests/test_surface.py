@@ -748,6 +748,15 @@ def test_enormous_lengths_are_lengths() -> None:
     np.testing.assert_allclose(large.sigma, small.sigma, rtol=1e-10)
 
 
+def test_at_the_edge_of_overflow_nothing_is_said_to_rest() -> None:
+    """The yardstick for m′ = 0 overflows a little before m′ does."""
+    surface = RuledSurface(Bezier(EXAMPLE_2), "5e306*u", "5e306*v")
+    invariants = surface.invariants(np.linspace(0, 1, 41))
+    nan_is_explained(invariants)
+    assert 0 < np.isnan(invariants.tau_bar).sum() < 41
+    assert not any("rests" in report.reason for report in invariants.undefined)
+
+
 def test_each_place_has_its_own_reason() -> None:
     # v = 1 − 2t² comes to rest at t = 0, passes the pole at t = √½ and is negative after it.
     points = np.array([[0.0, 1.0], [0.0, 1.0], [1.0, -1.0]])

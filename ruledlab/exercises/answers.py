@@ -146,17 +146,18 @@ def _split(text: str) -> Iterator[str]:
 
 def _number(text: str) -> float:
     """Return a number; ``3π`` for ``3*π`` is accepted too."""
+    if text[:1] in ("[", "{"):
+        raise GeometryError(f"'{text[0]}' is not closed, or more follows it; write [1, 2, 3]")
     try:
-        return number(text, "answer")
+        return number(_TIMES_PI.sub("*", text), "answer")
     except FormulaError:
-        relaxed = _TIMES_PI.sub("*", text)
-        if relaxed == text:
-            raise
-        try:
-            return number(relaxed, "answer")
-        except FormulaError:
-            pass
-        raise
+        pass
+    try:
+        return number(text, "answer")  # for the place in the text as it was typed
+    except FormulaError as error:
+        said = error.message.replace("known are u, v, pi", "known are pi").replace(", u or v", "")
+        said = said.replace(" or a formula such as u - v", " such as 2.5 or 3*pi/8")
+        raise FormulaError("answer", text, error.position, said) from None
 
 
 # -- formulas --------------------------------------------------------------------------------------
@@ -185,8 +186,11 @@ def read_formula(answer: Any, variables: tuple[str, ...]) -> Callable[..., Any]:
 
     def function(*values: Any) -> Any:
         u, v = (*values, 0.0)[:2]
-        result = np.asarray(made(u, v), dtype=float)
-        return np.broadcast_to(result, np.broadcast_shapes(*(np.shape(x) for x in values)))
+        shape = np.broadcast_shapes(*(np.shape(x) for x in values))
+        try:
+            return np.broadcast_to(np.asarray(made(u, v), dtype=float), shape)
+        except (TypeError, ValueError) as error:
+            raise GeometryError(f"the function gives no number at each place: {error}") from error
 
     return function
 
@@ -232,6 +236,8 @@ def _renamed(message: str, variables: tuple[str, ...]) -> str:
         return message
     first, last, many = variables[0], variables[-1], ", ".join(variables)
     message = message.replace("u, v, pi", f"{many}, pi").replace("u or v", " or ".join(variables))
-    message = message.replace(", such as u - v", "").replace(" such as u - v", f" such as 2*{first}")
+    message = message.replace(", such as u - v", "").replace(
+        " such as u - v", f" such as 2*{first}"
+    )
     message = re.sub(r"(?<![A-Za-z])u(?![A-Za-z])", first, message)
     return re.sub(r"(?<![A-Za-z])v(?![A-Za-z])", last, message)

@@ -21,7 +21,7 @@ STILL = 1e-11
 """Striction speed below this fraction of the terms it is made of counts as zero."""
 
 TORSAL = 1e-13
-"""|κ̄| below this fraction of ‖x̄′‖ is rounding and becomes 0: a torsal ruling."""
+"""|κ̄| below this fraction of ‖x̄′‖ + κ‖x̄‖ is rounding and becomes 0: a torsal ruling."""
 
 FLAT = 1e-12
 """|τ| below this fraction of κ counts as zero: the spherical image follows a great circle."""

@@ -81,7 +81,7 @@ class Bezier:
         points = frozen(_checked(self.points))
         object.__setattr__(self, "points", points)
         object.__setattr__(self, "_taylor", _taylor_matrix(points, 2))
-        object.__setattr__(self, "_scale", _longest_leg(points) * self.degree)
+        object.__setattr__(self, "_scale", _speed_scale(points))
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Copies and unpickled curves are built anew: their arrays, too, are read-only.
@@ -234,9 +234,10 @@ class Bezier:
 # -- evaluation ------------------------------------------------------------------------------------
 
 
-def _longest_leg(points: Array) -> float | Array:
-    longest: Array = np.linalg.norm(np.diff(points, axis=-2), axis=-1).max(axis=-1)
-    return frozen(longest) if longest.ndim else float(longest)
+def _speed_scale(points: Array) -> float | Array:
+    legs = np.linalg.norm(np.diff(points, axis=-2), axis=-1)
+    scale = (points.shape[-2] - 1) * legs.max(axis=-1)
+    return frozen(scale) if scale.ndim else float(scale)
 
 
 def _evaluate(matrix: Array, t: Array) -> Array:

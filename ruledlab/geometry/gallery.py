@@ -195,11 +195,8 @@ GALLERY: tuple[Example, ...] = (
     Example(
         "orchid",
         "Orchid",
-        _pi(
-            32,
-            *((8, 16), (8, 21), (20, 26), (32, 21), (32, 16), (32, 11), (20, 6), (8, 11), (8, 16)),
-        ),
-        "sin(u)",
+        _pi(8, (2, 4), (2, 5), (5, 6), (8, 5), (8, 4), (8, 3), (5, 2), (2, 3), (2, 4)),
+        "cos(u)",
         "cos(v)",
         "C2",
         "A loop on the sphere that goes round no pole and closes with C². The ruling's distance "
@@ -218,7 +215,7 @@ GALLERY: tuple[Example, ...] = (
     Example(
         "ramp",
         "Spiral ramp",
-        _pi(8, (0, 3), (16, 5), (32, 3)),
+        _pi(8, (0, 3), (16, 7), (32, 3)),
         "0.3*u",
         "0.6",
         "C0",

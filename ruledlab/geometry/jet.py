@@ -110,6 +110,12 @@ QUANTITIES = (
 )
 """The rows of values that `measure` returns."""
 
+DUAL = [1, 3, 5, 7, 4]
+"""Rows that depend on ū and v̄: κ̄, τ̄, δ, κ̄′, and σ, which may be undefined by itself."""
+
+NEEDED = slice(4)
+"""Of these, the ones that are defined together or not at all."""
+
 FLAGS = ("cylindrical", "still", "pole")
 """The rows of flags that `measure` returns: κ = 0; m′ = 0; a pole of the chart."""
 
@@ -128,7 +134,7 @@ def measure(jet: Jet) -> tuple[Array, Flags]:
     square = size * size
     lengths = np.abs(jet.rows).max(axis=2)  # squares of long vectors would overflow
     kappa_bar = dot(x1, y1) / size
-    kappa_bar[np.abs(kappa_bar) < TORSAL * lengths[1, 1]] = 0.0
+    kappa_bar[np.abs(kappa_bar) < TORSAL * (lengths[1, 1] + lengths[0, 1] * kappa)] = 0.0
     kappa_prime = dot(x1, x2) / size
     kappa_bar_prime = (dot(x2, y1) + dot(x1, y2) - kappa_bar * kappa_prime) / size
     delta = kappa_bar / size
@@ -160,11 +166,13 @@ def _striction_angle(kappa_bar: Array, tau_bar: Array, still: Flags) -> Array:
 
 
 def _blanked(values: Array, flags: Flags) -> tuple[Array, Flags]:
-    """Blank the poles of the chart and what has overflowed."""
+    """Blank the poles of the chart, and of the dual part all where any has overflowed."""
     if flags[2].any():
         values[:, flags[2]] = np.nan
     if not np.isfinite(values.sum()):
         values[~np.isfinite(values)] = np.nan
+        dual = values[DUAL]
+        values[DUAL] = np.where(np.isnan(dual[NEEDED]).any(axis=0), np.nan, dual)
     return values, flags
 
 

@@ -12,7 +12,7 @@ from .checks import Array, GeometryError
 __all__ = ["integrate", "sign_changes"]
 
 ACCURACY = 1e-13
-PANELS = 8
+PANELS = 16
 SUBDIVISIONS = 200
 HALVINGS = 52
 

@@ -138,6 +138,9 @@ class App(w.VBox):
             view.close()
         _close_all(self)
 
+    def __del__(self) -> None:
+        """Do nothing: the widget's own way is to close, which fails while Python shuts down."""
+
 
 def _draw(view: Any, lab: Lab, change: Change) -> None:
     """Let one view draw what changed."""
@@ -176,8 +179,8 @@ class Studio(App):
         self._groups += [self.look, self.readouts, self.share]
         self._releases = [
             _connect(self.pad, self.points),
-            self.pad.on_theme(self.restyle),
-            self.plots.on_pick(lab.move_cursor),
+            _follow_theme(self.pad, self.points, self.restyle),
+            self.plots.on_pick(lambda t: self.time.guard(lambda: lab.move_cursor(t))),
         ]
         self.assemble(self._grid())
 
@@ -209,7 +212,10 @@ class ChartFigure(App):
         super().__init__(lab)
         self.pad, self.points = DomainPad(), PointControl(lab)
         self._views, self._groups = [self.pad], [self.points]
-        self._releases = [_connect(self.pad, self.points), self.pad.on_theme(self.restyle)]
+        self._releases = [
+            _connect(self.pad, self.points),
+            _follow_theme(self.pad, self.points, self.restyle),
+        ]
         self.assemble(w.HBox([self.pad, self.points.widget]).add_class("ruledlab-pair"))
 
 
@@ -229,6 +235,13 @@ class SpaceFigure(App):
 def _connect(pad: DomainPad, points: PointControl) -> Callable[[], None]:
     """Let the pad's requests change the lab; return the function that ends it."""
     return pad.on_request(lambda request: points.guard(lambda: _ask(request, pad, points)))
+
+
+def _follow_theme(
+    pad: DomainPad, points: PointControl, restyle: Callable[[bool], None]
+) -> Callable[[], None]:
+    """Restyle when the pad hears of another theme; return the function that ends it."""
+    return pad.on_theme(lambda dark: points.guard(lambda: restyle(dark)))
 
 
 def _ask(request: PadRequest, pad: DomainPad, points: PointControl) -> None:

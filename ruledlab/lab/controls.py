@@ -65,8 +65,7 @@ class Group:
     """Controls that share one life, one guard and one place for programming errors."""
 
     def __init__(self) -> None:
-        self._quiet = threading.RLock()
-        self._setting = 0
+        self._quiet = threading.local()
         self._releases: list[Callable[[], None]] = []
         self.defect = w.HTML()
 
@@ -74,7 +73,7 @@ class Group:
         """Call ``handler(value)`` when the reader changes a trait; not when `put` does."""
 
         def observer(change: dict[str, Any]) -> None:
-            if not self._setting:
+            if not getattr(self._quiet, "depth", 0):
                 self.guard(functools.partial(handler, change["new"]))
 
         widget.observe(observer, trait)
@@ -101,16 +100,18 @@ class Group:
             self.defect.value = defect_html(traceback.format_exc())
 
     def put(self, widget: Any, **traits: Any) -> None:
-        """Set traits without calling the handlers, and only those that differ."""
-        with self._quiet:
-            self._setting += 1
-            try:
-                with widget.hold_trait_notifications():
-                    for name, value in traits.items():
-                        if getattr(widget, name) != value:
-                            setattr(widget, name, value)
-            finally:
-                self._setting -= 1
+        """Set traits without calling the handlers, and only those that differ.
+
+        The handlers are deaf in this thread only: what the reader does meanwhile is heard.
+        """
+        self._quiet.depth = getattr(self._quiet, "depth", 0) + 1
+        try:
+            with widget.hold_trait_notifications():
+                for name, value in traits.items():
+                    if getattr(widget, name) != value:
+                        setattr(widget, name, value)
+        finally:
+            self._quiet.depth -= 1
 
     def release(self) -> None:
         """Leave no observer behind."""
@@ -146,13 +147,13 @@ class Strokes:
         self._last: tuple[object, float] = (None, 0.0)
         self._count = 0
 
-    def token(self, key: object) -> tuple[object, int]:
-        """Return a token that is equal for moves of one stroke."""
+    def token(self, key: object) -> tuple[int, object, int]:
+        """Return a token that is equal for moves of one stroke, and for no others."""
         now = time.monotonic()
         if key != self._last[0] or now - self._last[1] > PAUSE:
             self._count += 1
         self._last = (key, now)
-        return (key, self._count)
+        return (id(self), key, self._count)
 
 
 class NumberControl:
@@ -211,22 +212,26 @@ class NumberControl:
     def show(self, value: float) -> None:
         """Show a number; the slider's ends move if it lies beyond them."""
         self._value = value
-        self._group.put(self.slider, **self._span(value), value=self._on_grid(value))
+        span = self._span(value)
+        self._group.put(self.slider, **span, value=self._on_grid(value, **span))
         text = str(int(value)) if self._whole else named_number(value)
         self._group.put(self.field, value=text)
         self.say(None)
 
     def _span(self, value: float) -> dict[str, float]:
-        step = self.slider.step
-        low = min(self.slider.min, step * math.floor(value / step))
-        return {"min": low, "max": max(self.slider.max, step * math.ceil(value / step))}
+        low, high, step = self.slider.min, self.slider.max, self.slider.step
+        return {
+            "min": low if value >= low else step * math.floor(value / step),
+            "max": high if value <= high else step * math.ceil(value / step),
+        }
 
-    def _on_grid(self, value: float) -> float:
+    def _on_grid(self, value: float, min: float, max: float) -> float:
         """Return the nearest place the slider can stand at; elsewhere the browser moves it back."""
         if self._whole:
             return value
-        low, step = self.slider.min, self.slider.step
-        return min(low + step * round((value - low) / step), self.slider.max)
+        step = self.slider.step
+        place = min + step * round((value - min) / step)
+        return place if place <= max else max
 
     def say(self, text: str | None, pointer: str = "") -> None:
         """Show what is wrong, or nothing."""
@@ -239,8 +244,12 @@ class NumberControl:
 
     def _typed(self, text: str) -> None:
         try:
-            value = number(text, self._name)
-            self._commit(self._allowed(value))
+            value = self._allowed(number(text, self._name))
+            if value == self._value:
+                self.show(value)  # nothing to ask for, but an earlier message has to go
+            else:
+                self.say(None)
+                self._commit(value)
         except FormulaError as error:
             self.say(plain(str(error)), error.pointer(28))
         except GeometryError as error:
@@ -573,6 +582,7 @@ class GalleryControl(Group):
             self.put(self.note, value=f'<div class="ruledlab-note">{note}</div>')
 
 
+@functools.cache
 def design_of(example: Example) -> Design:
     """Return a gallery surface as a design."""
     return Design(

@@ -6,7 +6,8 @@ No plotting library is imported here, and no view computes geometry of its own.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from itertools import groupby
 
 import numpy as np
 
@@ -53,6 +54,8 @@ class Scene:
         whether the last ruling is the first again (as a line).
     text
         the whole scene in words, for who cannot see the picture.
+
+    All arrays are read-only: several views hold the same ones.
     """
 
     t: Array
@@ -93,6 +96,8 @@ class Mark:
         invariant name to value at t.
     text
         the same in words.
+
+    All arrays are read-only.
     """
 
     t: float
@@ -116,9 +121,17 @@ ACROSS = 25
 """Places along a ruling at which K and H are coloured."""
 
 DRAWN = ("kappa", "kappa_bar", "tau", "tau_bar", "sigma", "delta")
+FARTHEST = 1e100
+"""Points farther out are not part of the picture: no canvas has room, and their squares overflow.
+"""
+
+MOST_PLACES = 4
+"""How many stretches of undefined values are named one by one."""
+
 SYMBOLS = dict(zip(DRAWN, ("κ", "κ̄", "τ", "τ̄", "σ", "δ"), strict=True))
 
 
+@np.errstate(all="ignore")
 def build_scene(
     design: Design, surface: RuledSurface, closed: bool, colouring: str = "plain"
 ) -> Scene:
@@ -135,7 +148,8 @@ def build_scene(
     gaps = tuple(_gap(report, t) for report in invariants.undefined)
     centre, radius = _ball(base, x, w)
     control = np.array(design.points)
-    return Scene(
+    colour = _colour(colouring, surface, invariants, base, m, x, w)
+    scene = Scene(
         t=t,
         chart=surface.curve.series(t, 0).value.T,
         control=control,
@@ -148,22 +162,31 @@ def build_scene(
         w=w,
         curves=curves,
         gaps=gaps,
-        colour=_colour(colouring, surface, invariants, base, m, x, w),
+        colour=colour,
         colour_label=COLOURINGS[colouring],
         centre=centre,
         radius=radius,
         closed=closed,
-        text=_scene_text(design, curves, gaps),
+        text=" ".join(
+            [
+                _surface_text(design, curves, closed),
+                _drawing_text(design, COLOURINGS[colouring], colour),
+                *gaps,
+            ]
+        ),
     )
+    _lock(scene)
+    return scene
 
 
+@np.errstate(all="ignore")
 def build_mark(design: Design, surface: RuledSurface, t: float) -> Mark:
     """Sample a design at the cursor."""
     invariants = surface.invariants(t)
     values = {name: float(getattr(invariants, name)) for name in DRAWN}
     m, c = surface.striction(t), surface.foot(t)
     chart = surface.curve.series(np.asarray(t), 0).value
-    return Mark(
+    mark = Mark(
         t=t,
         chart=chart,
         base=m if design.base == "striction" else c,
@@ -172,6 +195,16 @@ def build_mark(design: Design, surface: RuledSurface, t: float) -> Mark:
         values=values,
         text=_mark_text(t, chart, values, [report.reason for report in invariants.undefined]),
     )
+    _lock(mark)
+    return mark
+
+
+def _lock(drawing: Scene | Mark) -> None:
+    """Make the arrays read-only: what one view did to them the others would draw."""
+    values = [getattr(drawing, entry.name) for entry in fields(drawing)]
+    for value in [*values, *getattr(drawing, "curves", {}).values()]:
+        if isinstance(value, np.ndarray):
+            value.flags.writeable = False
 
 
 def on_sphere(chart: Array) -> Array:
@@ -224,7 +257,7 @@ def _colour(
 def _ball(base: Array, x: Array, w: Array) -> tuple[Array, float]:
     """Return a ball about the bulk of the drawing; a few far-off rulings do not count."""
     ends = np.concatenate([base + end * x for end in w])
-    ends = ends[np.isfinite(ends).all(axis=1)]
+    ends = ends[(np.abs(ends) <= FARTHEST).all(axis=1)]  # nor NaN
     if not len(ends):
         return np.zeros(3), 1.0
     low, high = np.percentile(ends, [4.0, 96.0], axis=0)
@@ -236,26 +269,48 @@ def _ball(base: Array, x: Array, w: Array) -> tuple[Array, float]:
 def _gap(report: Undefined, t: Array) -> str:
     """Say where and why some curves have a gap."""
     names = ", ".join(SYMBOLS[name] for name in DRAWN if name in report.names)
-    where = t[report.where]
-    place = f"t = {where[0]:.4g}" if len(where) == 1 else f"t = {where[0]:.4g} … {where[-1]:.4g}"
-    return f"{names} undefined at {place}. {report.reason[0].upper()}{report.reason[1:]}."
+    return f"{names} undefined at {_places(t, report.where)}. {_sentence(report.reason)}"
 
 
-def _scene_text(design: Design, curves: dict[str, Array], gaps: tuple[str, ...]) -> str:
+def _places(t: Array, where: Array) -> str:
+    """Name the stretches of t where something holds: ``t = 0, 0.2 … 0.3``."""
+    runs = [list(run) for holds, run in groupby(range(len(t)), where.__getitem__) if holds]
+    named = [
+        f"{t[run[0]]:.4g}" + (f" … {t[run[-1]]:.4g}" if len(run) > 1 else "")
+        for run in runs[:MOST_PLACES]
+    ]
+    more = len(runs) - MOST_PLACES
+    return f"t = {', '.join(named)}" + (f" and {more} more places" if more > 0 else "")
+
+
+def _sentence(reason: str) -> str:
+    """Return a reason as a sentence; a symbol at its beginning keeps its case: κ is not Κ."""
+    first = reason[0].upper() if reason[0].isascii() else reason[0]
+    return f"{first}{reason[1:]}."
+
+
+def _surface_text(design: Design, curves: dict[str, Array], closed: bool) -> str:
     degree = len(design.points) - 1
     ranges = [f"{SYMBOLS[name]} {_range(values)}" for name, values in curves.items()]
-    lead = (
+    return (
         f"Ruled surface of a Bézier curve of degree {degree} in the chart of the unit sphere, with "
-        f"ū = {design.ubar} and v̄ = {design.vbar}. Over t: "
+        f"ū = {design.ubar} and v̄ = {design.vbar}; its last ruling is "
+        f"{'the first again' if closed else 'not the first'}. Over t: {'; '.join(ranges)}."
     )
-    return " ".join([lead + "; ".join(ranges) + ".", *gaps])
+
+
+def _drawing_text(design: Design, label: str, colour: Array | None) -> str:
+    base = "the striction curve" if design.base == "striction" else "the foot points"
+    rulings = f"Drawn with rulings of length {design.length:g} centred on {base}."
+    return rulings if colour is None else f"{rulings} The colour is {label}: {_range(colour)}."
 
 
 def _range(values: Array) -> str:
     known = values[np.isfinite(values)]
     if not len(known):
         return "is undefined"
-    return f"from {known.min():.4g} to {known.max():.4g}"
+    low, high = f"{known.min():.4g}", f"{known.max():.4g}"
+    return f"is {low} throughout" if low == high else f"from {low} to {high}"
 
 
 def _mark_text(t: float, chart: Array, values: dict[str, float], reasons: list[str]) -> str:
@@ -264,4 +319,4 @@ def _mark_text(t: float, chart: Array, values: dict[str, float], reasons: list[s
         for name, value in values.items()
     ]
     place = f"At t = {t:.3f}, (u, v) = ({chart[0]:.4f}, {chart[1]:.4f}): "
-    return " ".join([place + ", ".join(numbers) + ".", *(f"{reason}." for reason in reasons)])
+    return " ".join([place + ", ".join(numbers) + ".", *map(_sentence, reasons)])

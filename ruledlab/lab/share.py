@@ -58,7 +58,7 @@ class Share(Group):
             if change.source == "share":
                 self.put(self.widget, error=plain(change.error), said="")
         elif change.scene or change.source == "share":
-            self.put(self.widget, text=self._lab.design.to_text(), error="")
+            self.put(self.widget, text=self._lab.design.to_text(), error="", said="")
 
     def _on_message(self, _widget: Any, content: Mapping[str, Any], _buffers: Any) -> None:
         self.guard(lambda: self._answer(content))

@@ -8,6 +8,7 @@ the last good result and says what is wrong. Any other exception is a defect and
 
 from __future__ import annotations
 
+import math
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -23,6 +24,7 @@ from .scene import COLOURINGS, Mark, Scene, build_mark, build_scene
 __all__ = ["Change", "Lab", "Result"]
 
 Disconnect = Callable[[], None]
+_Step = tuple[Design, bool]  # the design at the other end of a step; whether the step was a load
 
 MOST_STEPS = 500
 """Designs that are remembered for undo."""
@@ -73,7 +75,8 @@ class Change:
     source
         the control that caused the change.
     loaded
-        another design was put in place, by gallery, file, text, undo or reset.
+        another design was put in place, by gallery, file, text or reset, or such a step was undone
+        or redone. A move of a point that is undone is none: the reader's view stays.
     """
 
     scene: bool = False
@@ -99,7 +102,7 @@ def _pitch(surface: RuledSurface, closure: Closure) -> tuple[Dual | None, str]:
     try:
         return surface.dual_angle_of_pitch(), closure.reason
     except GeometryError as error:
-        return None, str(error)
+        return None, f"{closure.reason}; {error}"
 
 
 class Lab:
@@ -120,10 +123,10 @@ class Lab:
 
     def __init__(self, design: Design, cursor: float = 0.0) -> None:
         self._lock = threading.RLock()
-        self._followers: list[Callable[[Change], None]] = []
+        self._followers: dict[object, Callable[[Change], None]] = {}
         self._first = design
-        self._undo: list[Design] = []
-        self._redo: list[Design] = []
+        self._undo: list[_Step] = []
+        self._redo: list[_Step] = []
         self._group: object = None
         self._colouring = "plain"
         self._chosen = 0
@@ -175,13 +178,13 @@ class Lab:
 
     def follow(self, callback: Callable[[Change], None]) -> Disconnect:
         """Call ``callback`` with each `Change`; the returned function stops that."""
+        key = object()  # the same callback may follow twice
         with self._lock:
-            self._followers.append(callback)
+            self._followers[key] = callback
 
         def disconnect() -> None:
             with self._lock:
-                if callback in self._followers:
-                    self._followers.remove(callback)
+                self._followers.pop(key, None)
 
         return disconnect
 
@@ -203,44 +206,33 @@ class Lab:
 
     def attempt(self, source: str, make: Callable[[], Design], group: object = None) -> bool:
         """Put the design that ``make`` returns in place, or keep the old one and say why."""
-        with self._lock:
-            try:
-                self._put(make(), source, group)
-            except GeometryError as error:
-                self._tell(Change(error=str(error), source=source))
-                return False
-            return True
+        return self._try(make, source, group, loaded=False)
 
     def load(self, design: Design, source: str) -> bool:
         """Put another design in place as one step of undo."""
-        with self._lock:
-            self._group = None
-            try:
-                self._put(design, source, None, loaded=True)
-            except GeometryError as error:
-                self._tell(Change(error=str(error), source=source))
-                return False
-            return True
+        return self._try(lambda: design, source, None, loaded=True)
 
     def undo(self) -> None:
         """Take the last step back."""
-        self._travel(self._undo, self._redo)
+        with self._lock:
+            self._travel(self._undo, self._redo)
 
     def redo(self) -> None:
         """Take the last undone step again."""
-        self._travel(self._redo, self._undo)
+        with self._lock:
+            self._travel(self._redo, self._undo)
 
     def reset(self) -> None:
         """Return to the design the lab began with; undo leads back."""
         self.load(self._first, "reset")
 
     def move_cursor(self, t: float) -> None:
-        """Look at another t, kept inside the domain."""
+        """Look at another t, kept inside the domain; NaN is refused with a GeometryError."""
         with self._lock:
             t = self._inside(t)
             if t != self._cursor:
-                self._cursor = t
                 self._mark = build_mark(self.design, self._result.surface, t)
+                self._cursor = t
                 self._tell(Change(mark=True))
 
     def choose(self, index: int) -> None:
@@ -254,12 +246,13 @@ class Lab:
     def colour(self, colouring: str) -> None:
         """Colour the surface by δ, K, H or not at all."""
         if colouring not in COLOURINGS:
-            raise GeometryError(f"`colouring` must be one of {', '.join(COLOURINGS)}")
+            raise GeometryError(
+                f"`colouring` must be one of {', '.join(COLOURINGS)}; got {colouring!r}"
+            )
         with self._lock:
-            self._colouring = colouring
             old = self._result
             scene = build_scene(old.design, old.surface, old.closure.closed, colouring)
-            self._result = replace(old, scene=scene)
+            self._result, self._colouring = replace(old, scene=scene), colouring
             self._tell(Change(scene=True))
 
     def seal(self) -> None:
@@ -270,38 +263,52 @@ class Lab:
     # -- inside ----------------------------------------------------------------------------------
 
     def _inside(self, t: float) -> float:
+        if math.isnan(t):
+            raise GeometryError("`t` must be a number; got NaN; give a place along the curve")
         start, end = self._result.surface.domain
         return min(max(float(t), start), end)
 
-    def _put(self, design: Design, source: str, group: object, loaded: bool = False) -> None:
-        if design == self.design:
-            self._tell(Change(source=source))
-            return
-        old = self.design
-        self._accept(design, source, loaded)
-        if group is None or group != self._group:
-            self._undo = [*self._undo[-MOST_STEPS + 1 :], old]
-        self._group = group
-        self._redo = []
-        self._tell(self._last)
-
-    def _travel(self, back: list[Design], forth: list[Design]) -> None:
+    def _try(self, make: Callable[[], Design], source: str, group: object, *, loaded: bool) -> bool:
         with self._lock:
-            if back:
-                forth.append(self.design)
-                self._group = None
-                self._accept(back.pop(), "history", loaded=True)
-                self._tell(self._last)
+            try:
+                change = self._put(make(), source, group, loaded)
+            except GeometryError as error:
+                change = Change(error=str(error), source=source)
+            # Outside of the try: what a follower raises is no fault of the design.
+            self._tell(change)
+            return change.error is None
 
-    def _accept(self, design: Design, source: str, loaded: bool) -> None:
+    def _put(self, design: Design, source: str, group: object, loaded: bool) -> Change:
+        old = self.design
+        if design == old:
+            return Change(source=source)
+        change = self._accept(design, source, loaded)
+        if group is None or group != self._group:
+            self._undo.append((old, loaded))
+            del self._undo[:-MOST_STEPS]
+        self._group = group
+        self._redo.clear()
+        return change
+
+    def _travel(self, back: list[_Step], forth: list[_Step]) -> None:
+        if back:
+            old, (design, loaded) = self.design, back[-1]
+            change = self._accept(design, "history", loaded)
+            back.pop()
+            forth.append((old, loaded))
+            self._group = None
+            self._tell(change)
+
+    def _accept(self, design: Design, source: str, loaded: bool) -> Change:
         """Compute first: if that fails nothing has changed."""
         result = compute(design, self._colouring)
         mark = build_mark(design, result.surface, self._cursor)
         chosen = min(self._chosen, len(design.points) - 1)
         changed = chosen != self._chosen
         self._result, self._mark, self._chosen = result, mark, chosen
-        self._last = Change(scene=True, mark=True, chosen=changed, source=source, loaded=loaded)
+        return Change(scene=True, mark=True, chosen=changed, source=source, loaded=loaded)
 
     def _tell(self, change: Change) -> None:
-        for callback in tuple(self._followers):
-            callback(change)
+        for key, callback in tuple(self._followers.items()):
+            if key in self._followers:  # unless one told before it has ended it
+                callback(change)

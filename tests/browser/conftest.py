@@ -12,7 +12,19 @@ from typing import Any
 
 import pytest
 
-from .session import ARTIFACTS, REQUIRE, LabSession, lab_session, why_not
+from .session import (
+    ARTIFACTS,
+    PLOTS,
+    REQUIRE,
+    STUDIO,
+    THREE,
+    LabSession,
+    Pictures,
+    StudioPage,
+    lab_session,
+    why_not,
+    write_notebook,
+)
 
 HERE = Path(__file__).resolve().parent
 SESSION = pytest.StashKey[LabSession]()
@@ -44,6 +56,25 @@ def lab(
         ARTIFACTS.mkdir(exist_ok=True)
         with suppress(OSError):
             shutil.copyfile(scratch / "jupyterlab.log", ARTIFACTS / "jupyterlab.log")
+
+
+@pytest.fixture(scope="session")
+def opened_studio(lab: LabSession, tmp_path_factory: pytest.TempPathFactory) -> StudioPage:
+    """One studio for all tests that need one: opening a page takes longer than all they do."""
+    path = write_notebook(tmp_path_factory.mktemp("studio") / "studio.ipynb", STUDIO)
+    notebook = lab.open_notebook(path, permissions=["clipboard-read", "clipboard-write"])
+    assert notebook.run_all() == []
+    space = notebook.wait_still(THREE, timeout=60)
+    return StudioPage(notebook, Pictures(space, notebook.wait_still(PLOTS)))
+
+
+@pytest.fixture
+def studio(opened_studio: StudioPage) -> Iterator[StudioPage]:
+    """The studio showing Example 2; at the end, no error in notebook or console."""
+    opened_studio.reset()
+    yield opened_studio
+    assert opened_studio.notebook.errors() == []
+    assert opened_studio.notebook.console_errors == []
 
 
 @pytest.hookimpl(wrapper=True)

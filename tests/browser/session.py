@@ -37,6 +37,8 @@ CHROMIUM_ARGUMENTS = (
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
     "--ignore-gpu-blocklist",
+    # else a 2D canvas changes hands, and its pixels a little, once it has been read
+    "--disable-accelerated-2d-canvas",
     "--no-sandbox",
     "--no-first-run",
     "--disable-quic",
@@ -53,6 +55,9 @@ KNOWN_CONSOLE_LINES = (
 )
 
 THREE = ".jupyter-threejs canvas"
+PLOTS = "canvas.ruledlab-plots-curves"
+HANDLE = ".rl-handle"
+LABEL = ".ruledlab-label"
 KERNEL = "window.jupyterapp.shell.currentWidget.sessionContext.session.kernel"
 
 ERRORS = (
@@ -60,6 +65,15 @@ ERRORS = (
     '.jp-OutputArea-output [data-mime-type="application/vnd.jupyter.error"]',
     '.jp-OutputArea-output[data-mime-type="application/vnd.jupyter.error"]',
 )
+
+# The nth code cell; not awaited, so that a test can go on while it runs
+RUN_CELL = """number => {
+  const {content} = window.jupyterapp.shell.currentWidget;
+  const code = content.widgets.flatMap((cell, i) => cell.model.type === 'code' ? [i] : []);
+  content.activeCellIndex = code[number];
+  content.deselectAll();
+  window.jupyterapp.commands.execute('notebook:run-cell');
+}"""
 
 EXECUTE = f"""async code => {{
   const future = {KERNEL}.requestExecute({{code, store_history: false}});
@@ -94,6 +108,34 @@ FINGERPRINT = """node => {
   const drawn = pixels.reduce((n, x) => n + (x !== pixels[0]), 0);
   return {drawn, hash: hash(pixels), width, height};
 }"""
+
+
+# What sticks out of its output to the right, as far as it can be seen; an empty list is a good page
+STICKS_OUT = """() => [...document.querySelectorAll('.jp-OutputArea-output')].flatMap(output => {
+  const right = output.getBoundingClientRect().right + 1;
+  const tell = node => [...node.classList, node.tagName].join('.');
+  const found = output.scrollWidth > output.clientWidth ? ['scrolls: ' + tell(output)] : [];
+  for (const node of output.querySelectorAll('*')) {
+    const box = node.getBoundingClientRect();
+    if (!node.checkVisibility() || node.closest('svg svg, defs, .rl-hidden, .MathJax')) continue;
+    if (box.width > 1 && box.right > right) found.push(tell(node) + ' by ' + (box.right - right));
+  }
+  return found;
+})"""
+
+# The controls whose names a screen reader says
+CONTROL_ROLES = ("button", "slider", "textbox", "combobox", "checkbox", "spinbutton")
+
+
+def write_notebook(path: Path, *cells: str) -> Path:
+    """Write a notebook of code cells."""
+    import nbformat
+
+    kernelspec = {"name": "python3", "display_name": "Python 3", "language": "python"}
+    made = nbformat.v4.new_notebook(metadata={"kernelspec": kernelspec})
+    made.cells = [nbformat.v4.new_code_cell(source) for source in cells]
+    nbformat.write(made, path)
+    return path
 
 
 def find_chromium() -> str | None:
@@ -231,12 +273,28 @@ class NotebookPage:
         """Run every cell; return what went to stderr and every error shown."""
         self.wait_idle(timeout)
         self.page.set_default_timeout(timeout * 1e3)
-        # the promise is kept when the last cell has finished
-        self.page.evaluate(
-            "() => window.jupyterapp.commands.execute('notebook:run-all-cells').then(() => null)"
-        )
+        self.command("notebook:run-all-cells")  # over when the last cell has finished
         self.wait_idle(timeout)
+        self.page.set_default_timeout(20_000)  # what a reader does is over sooner
         return self.errors()
+
+    def command(self, name: str, **arguments: Any) -> None:
+        """Execute one of JupyterLab's commands and wait for its end."""
+        self.page.evaluate(
+            "([name, args]) => window.jupyterapp.commands.execute(name, args).then(() => null)",
+            [name, arguments],
+        )
+
+    def run_cell(self, number: int, *, wait: bool = True) -> None:
+        """Run one code cell again, as Shift+Enter does; without `wait` it goes on meanwhile."""
+        self.page.evaluate(RUN_CELL, number)
+        if wait:
+            self.wait_idle()
+
+    @property
+    def busy(self) -> bool:
+        """Whether a cell is running."""
+        return self.page.evaluate(f"() => {KERNEL}.status") == "busy"
 
     def errors(self) -> list[str]:
         """Every error and every line of stderr the notebook shows now."""
@@ -307,6 +365,21 @@ class NotebookPage:
             self.page.wait_for_timeout(20)
         raise AssertionError(f"{target} did not change and settle within {timeout} s: {last}")
 
+    def wait_same(
+        self, old: Pixels, target: str | Locator = THREE, nth: int = 0, *, timeout: float = 30
+    ) -> None:
+        """Wait until the picture is `old`, to the pixel, and stays so for a moment."""
+        element = self.locator(target, nth)
+        element.wait_for(state="attached", timeout=timeout * 1e3)
+        end, since, seen = time.monotonic() + timeout, None, old
+        while (now := time.monotonic()) < end:
+            seen = self.pixels(element)
+            since = (since or now) if seen == old else None
+            if since and now - since >= 0.15:
+                return
+            self.page.wait_for_timeout(20)
+        raise AssertionError(f"{target} is not as it was after {timeout} s: {seen}, not {old}")
+
     def stays(
         self, old: Pixels, target: str | Locator = THREE, nth: int = 0, *, over: float = 1.0
     ) -> bool:
@@ -318,12 +391,43 @@ class NotebookPage:
             self.page.wait_for_timeout(50)
         return True
 
-    def screenshot(self, name: str) -> Path:
-        """Write ``artifacts/<name>.png``."""
+    def screenshot(self, name: str, target: str | Locator | None = None) -> Path:
+        """Write ``artifacts/<name>.png``: the page, or one element with all that belongs to it."""
         ARTIFACTS.mkdir(exist_ok=True)
         path = ARTIFACTS / f"{name}.png"
-        self.page.screenshot(path=str(path))
+        (self.page if target is None else self.locator(target)).screenshot(path=str(path))
         return path
+
+    # --- the page around
+
+    def dark(self, dark: bool = True) -> None:
+        """Change JupyterLab's theme."""
+        theme = "JupyterLab Dark" if dark else "JupyterLab Light"
+        self.command("apputils:change-theme", theme=theme)
+        told = f"() => document.body.dataset.jpThemeLight === '{str(not dark).lower()}'"
+        self.page.wait_for_function(told)
+
+    def resize(self, width: int, height: int) -> None:
+        """Change the size of the browser's window."""
+        self.page.set_viewport_size({"width": width, "height": height})
+
+    def sticks_out(self) -> list[str]:
+        """What is wider than the output it stands in."""
+        return list(self.page.evaluate(STICKS_OUT))
+
+    def control_names(self, root: str) -> list[tuple[str, str]]:
+        """Role and name of every control in the first `root`, as the browser tells assistants."""
+        browser = self.page.context.new_cdp_session(self.page)
+        top = browser.send("DOM.getDocument")["root"]["nodeId"]
+        found = browser.send("DOM.querySelector", {"nodeId": top, "selector": root})
+        names = []
+        for role in CONTROL_ROLES:
+            query = {"nodeId": found["nodeId"], "role": role}
+            for node in browser.send("Accessibility.queryAXTree", query)["nodes"]:
+                if not node["ignored"]:
+                    names.append((role, str(node.get("name", {}).get("value", "")).strip()))
+        browser.detach()
+        return names
 
     # --- hands
 
@@ -363,6 +467,12 @@ class NotebookPage:
         self.page.mouse.down()
         self.page.mouse.move(x + by[0], y + by[1], steps=steps)
         self.page.mouse.up()
+
+    def download(self, button: str | Locator) -> tuple[str, bytes]:
+        """Press a button that saves a file; return the file's name and content."""
+        with self.page.expect_download() as waiting:
+            self.locator(button).click()
+        return waiting.value.suggested_filename, Path(waiting.value.path()).read_bytes()
 
     # --- the console
 
@@ -460,3 +570,102 @@ def lab_session(scratch: Path) -> Iterator[LabSession]:
         finally:
             session.close_all()
             browser.close()
+
+
+# ------------------------------------------------------------------------------------ the studio
+
+STUDIO = """\
+import math
+from ruledlab.design import Design
+from ruledlab.lab import example, studio
+
+s = studio()
+s
+"""
+
+# Back to the start, whatever a test has left; first another design, so that everything is drawn
+RESET = """\
+s.lab.load(example("cone"), "test")
+s.lab.load(example("example_2"), "test")
+s.lab.choose(0)
+s.lab.move_cursor(0.0)
+s.lab.colour("plain")
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Pictures:
+    """What the studio shows: the 3D canvas and the plots."""
+
+    space: Pixels
+    plots: Pixels
+
+
+@dataclass(eq=False)
+class StudioPage:
+    """A studio in an open notebook, called ``s`` in its kernel, and a reader's hands on it."""
+
+    notebook: NotebookPage
+    home: Pictures  # Example 2 as it comes
+
+    @property
+    def page(self) -> Page:
+        return self.notebook.page
+
+    def kernel(self, code: str) -> str:
+        """What `code` says in the kernel."""
+        return self.notebook.kernel_exec(code)
+
+    def wait_kernel(self, code: str, value: str) -> None:
+        """Wait until `code` says `value`."""
+        self.notebook.wait_kernel(code, value, timeout=20)
+
+    def design(self) -> dict[str, Any]:
+        """The entries of the lab's design; JSON keeps every float as it is."""
+        design: dict[str, Any] = json.loads(self.kernel("print(s.lab.design.to_json())"))
+        return design
+
+    def reset(self) -> None:
+        """Return to Example 2 and wait until it is on the screen."""
+        self.kernel(RESET)
+        self.notebook.wait_same(self.home.space, THREE)
+        self.notebook.wait_still(PLOTS)
+
+    def control(self, role: Any, name: str) -> Locator:
+        """A control by the name that a screen reader says; `name` need only be a part of it."""
+        return self.page.locator(".ruledlab").get_by_role(role, name=name).first
+
+    def button(self, words: str) -> Locator:
+        """A button by its words."""
+        return self.control("button", words)
+
+    def unfold(self, words: str) -> None:
+        """Open one of the folds at the foot."""
+        head = self.button(words)
+        if head.get_attribute("aria-expanded") != "true":
+            head.click()
+
+    def alerts(self) -> list[str]:
+        """Every message on show that is an error."""
+        shown = self.page.locator(".ruledlab").get_by_role("alert").all_inner_texts()
+        return [text.strip() for text in shown if text.strip()]
+
+    def look(self) -> Pictures:
+        """Both pictures, once they stand still."""
+        return Pictures(self.notebook.wait_still(THREE), self.notebook.wait_still(PLOTS))
+
+    def wait_new(self, old: Pictures) -> Pictures:
+        """Wait until both pictures have changed and stand still."""
+        space = self.notebook.wait_change(old.space, THREE, timeout=30)
+        return Pictures(space, self.notebook.wait_change(old.plots, PLOTS, timeout=30))
+
+    def wait_back(self, old: Pictures) -> None:
+        """Wait until both pictures are, to the pixel, what they were."""
+        self.notebook.wait_same(old.space, THREE)
+        self.notebook.wait_same(old.plots, PLOTS)
+
+    def stays(self, old: Pictures, over: float = 0.4) -> bool:
+        """Whether both pictures are the same as `old` all through `over` seconds."""
+        return self.notebook.stays(old.space, THREE, over=over) and self.notebook.stays(
+            old.plots, PLOTS, over=0.1
+        )

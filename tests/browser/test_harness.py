@@ -9,7 +9,15 @@ import nbformat
 import pytest
 
 from . import session
-from .session import ARTIFACTS, THREE, KernelError, LabSession, NotebookPage, Pixels
+from .session import (
+    ARTIFACTS,
+    THREE,
+    KernelError,
+    LabSession,
+    NotebookPage,
+    Pixels,
+    write_notebook,
+)
 
 IMAGE = ".jupyter-widgets.widget-image"
 TEXT = ".widget-text input"
@@ -42,14 +50,6 @@ slider.observe(draw, "value")
 draw()
 """
 SVG = 'widgets.HTML(\'<svg id="dot" width="40" height="40"><circle r="9"/></svg>\')'
-
-
-def write_notebook(path: Path, *cells: str) -> Path:
-    kernelspec = {"name": "python3", "display_name": "Python 3", "language": "python"}
-    made = nbformat.v4.new_notebook(metadata={"kernelspec": kernelspec})
-    made.cells = [nbformat.v4.new_code_cell(source) for source in cells]
-    nbformat.write(made, path)
-    return path
 
 
 @pytest.fixture(scope="module")

@@ -1,0 +1,173 @@
+"""One slider move in a real JupyterLab, key pressed to pixels changed; memory and opening time.
+
+The same geometry, the same browser, one page at a time: the studio with everything it has on
+screen, and notebooks that make a new figure and a new Renderer at every move.
+"""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from tests.browser.session import LabSession, NotebookPage, lab_session, why_not
+
+from .notebooks import STUDIO, USUAL, write
+from .table import Row
+
+__all__ = ["rows"]
+
+HERE = Path(__file__).resolve().parent
+LESSON = HERE.parent / "lessons" / "06_design_on_the_sphere.ipynb"
+WATCH, HOLD = ((HERE / name).read_text(encoding="utf-8") for name in ("watch.js", "hold.js"))
+PICTURES = {"plots": ".ruledlab-plots-curves", "image": ".jp-RenderedImage img"}
+HANDLE = ".widget-slider .noUi-handle"
+
+ROUNDS, MOVES, WARM = 3, 8, 3
+PAUSE = 0.7  # seconds: longer than any contender takes for one move
+RATE, SECONDS, LATER = 60, 5, 2.0
+KINDS = ("plots", "surface")
+
+
+@dataclass(frozen=True, slots=True)
+class Moves:
+    """What single moves cost: seconds until each kind of picture was drawn, and bytes."""
+
+    seconds: dict[str, list[float]] = field(default_factory=lambda: {kind: [] for kind in KINDS})
+    bytes: list[int] = field(default_factory=list)
+
+    def milliseconds(self, kind: str) -> float:
+        return 1e3 * median(self.seconds[kind])
+
+    def kilobytes(self) -> float:
+        return median(self.bytes) / 1e3
+
+
+def rows() -> Iterator[Row]:
+    """Open everything in one browser and let the contenders take turns."""
+    if reason := why_not():
+        print(f"Slider moves in JupyterLab were not measured: {reason}", file=sys.stderr)
+        return
+    with tempfile.TemporaryDirectory() as scratch, lab_session(Path(scratch) / "lab") as lab:
+        yield from _opening(lab)
+        studio = _opened(lab, write(Path(scratch) / "studio.ipynb", STUDIO))
+        yield Row("first picture, from running the studio's cells", studio.first, None, "s")
+        yield Row("memory of the kernel with the studio open", _memory(studio.page), None, "MB", 170)
+        yield from _moves(lab, studio.page, Path(scratch))
+        yield from _held(studio.page)
+
+
+# ------------------------------------------------------------------------------- opening a notebook
+
+
+@dataclass(frozen=True, slots=True)
+class Opened:
+    """A notebook that has run: seconds to its first picture since running, and since opening."""
+
+    page: NotebookPage
+    first: float
+    since_opening: float
+
+
+def _opened(lab: LabSession, path: Path) -> Opened:
+    page = lab.open_notebook(path)
+    page.wait_idle()
+    page.page.evaluate(WATCH, PICTURES)
+    start = page.page.evaluate("() => performance.now()")
+    if errors := page.run_all():
+        raise RuntimeError(f"{path.name}: {errors[0]}")
+    page.page.wait_for_function("() => watch.drawn.length", timeout=60_000)
+    page.page.wait_for_timeout(1500)
+    kinds = page.page.evaluate("() => watch.drawn")
+    first = max(min(at for at, of in kinds if of == kind) for kind in {of for _, of in kinds})
+    return Opened(page, (first - start) / 1e3, first / 1e3)
+
+
+def _opening(lab: LabSession) -> Iterator[Row]:
+    if LESSON.exists():
+        opened = _opened(lab, LESSON)
+        lab.close(opened.page)
+        what = "first picture, from the address of lesson 06 (Lab, kernel, all cells)"
+        yield Row(what, opened.since_opening, None, "s")
+
+
+def _memory(page: NotebookPage) -> float:
+    import psutil
+
+    process = psutil.Process(int(page.kernel_exec("import os; os.getpid()")))
+    return float(process.memory_info().rss) / 1e6
+
+
+# -------------------------------------------------------------------------------------- single moves
+
+
+def _moves(lab: LabSession, studio: NotebookPage, scratch: Path) -> Iterator[Row]:
+    found = {name: _against(lab, studio, cells, scratch) for name, cells in USUAL.items()}
+    for name, kind, what in (
+        ("both", "plots", "one move: plots drawn"),
+        ("plots alone", "plots", "one move: plots drawn, against a notebook of plots alone"),
+        ("both", "surface", "one move: 3D drawn"),
+        ("3D alone", "surface", "one move: 3D drawn, against a notebook of 3D alone"),
+    ):
+        ours, usual = found[name]
+        yield Row(what, ours.milliseconds(kind), usual.milliseconds(kind), "ms", 0.2)
+    ours, usual = found["both"]
+    yield Row("one move: bytes to and from the kernel", ours.kilobytes(), usual.kilobytes(), "kB", 0.1)
+
+
+def _against(
+    lab: LabSession, studio: NotebookPage, cells: list[str], scratch: Path
+) -> tuple[Moves, Moves]:
+    usual = _opened(lab, write(scratch / "usual.ipynb", cells)).page
+    ours_found, usual_found = Moves(), Moves()
+    for page, found in ((studio, Moves()), (usual, Moves())):
+        _move(page, found, "ArrowRight", WARM)
+    for number in range(ROUNDS):
+        key = "ArrowLeft" if number % 2 else "ArrowRight"
+        _move(studio, ours_found, key, MOVES)
+        _move(usual, usual_found, key, MOVES)
+    lab.close(usual)
+    return ours_found, usual_found
+
+
+def _move(page: NotebookPage, found: Moves, key: str, times: int) -> None:
+    page.page.bring_to_front()
+    handle = page.locator(HANDLE)
+    handle.scroll_into_view_if_needed()
+    handle.focus()
+    page.page.wait_for_timeout(300)
+    for _ in range(times):
+        page.page.evaluate("() => Object.assign(watch, {drawn: [], keys: [], received: 0, sent: 0})")
+        page.page.keyboard.press(key)
+        page.page.wait_for_timeout(1e3 * PAUSE)
+        _note(found, page.page.evaluate("() => watch"))
+
+
+def _note(found: Moves, seen: dict[str, Any]) -> None:
+    pressed = seen["keys"][0]
+    for kind in KINDS:
+        times = [at for at, of in seen["drawn"] if of == kind and at > pressed]
+        if times:
+            found.seconds[kind].append((times[-1] - pressed) / 1e3)
+    found.bytes.append(seen["received"] + seen["sent"])
+
+
+# ------------------------------------------------------------------------------------ a held slider
+
+
+def _held(page: NotebookPage) -> Iterator[Row]:
+    page.page.bring_to_front()
+    page.page.evaluate("() => Object.assign(watch, {drawn: [], keys: []})")
+    run = page.page.evaluate(HOLD, [HANDLE, RATE, SECONDS])
+    page.page.wait_for_timeout(1e3 * LATER)
+    drawn = page.page.evaluate("() => watch.drawn")
+    behind = {kind: max(at for at, of in drawn if of == kind) - run["end"] for kind in KINDS}
+    rate = sum(of == "surface" and at < run["end"] for at, of in drawn) / SECONDS
+    held = f"{RATE} moves/s for {SECONDS} s"
+    yield Row(f"{held}: last plots after the last move", behind["plots"], None, "ms", 150)
+    yield Row(f"{held}: last 3D after the last move", behind["surface"], None, "ms", 150)
+    yield Row(f"{held}: pictures of the surface in a second", rate, None, "/s")

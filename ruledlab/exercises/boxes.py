@@ -1,0 +1,463 @@
+"""Where answers are given: one box for each kind of exercise."""
+
+from __future__ import annotations
+
+import html
+import math
+import pathlib
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Final
+
+import anywidget
+import ipywidgets as w
+import traitlets
+
+from ..design import Design
+from ..geometry.checks import GeometryError
+from ..lab.apps import chart
+from ..lab.controls import FieldControl, Group, HistoryControl
+from ..lab.palette import DARK, LIGHT
+from ..lab.plots import CurvePlots
+from ..lab.state import Change, Lab
+from .check import STYLE
+from .core import (
+    UNREAD,
+    Choose,
+    Code,
+    Condition,
+    Drag,
+    FindSlip,
+    Formula,
+    Number,
+    Sketch,
+    Task,
+)
+
+__all__ = ["Box", "ChooseBox", "DragBox", "box_for", "close_all", "maths", "press", "show", "style"]
+
+_STATIC: Final = pathlib.Path(__file__).parent / "static"
+_STYLE: Final = STYLE + (_STATIC / "exercises.css").read_text(encoding="utf-8")
+PAUSE: Final = 0.7
+"""Seconds after the last move of a design until it is saved."""
+
+Submit = Callable[[Any], None]
+
+
+# -- small parts -----------------------------------------------------------------------------------
+
+
+class _Front(anywidget.AnyWidget):  # type: ignore[misc]
+    """The part of a box that needs the browser: rows to choose from, a field, a drawing."""
+
+    _esm = _STATIC / "exercises.js"
+
+    part = traitlets.Unicode("").tag(sync=True)
+    label = traitlets.Unicode("").tag(sync=True)
+    button = traitlets.Unicode("Check").tag(sync=True)
+    unit = traitlets.Unicode("").tag(sync=True)
+    chosen = traitlets.Int(-1).tag(sync=True)
+    text = traitlets.Unicode("").tag(sync=True)
+    plot: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)
+    sketch: traitlets.List[Any] = traitlets.List().tag(sync=True)
+    truth: traitlets.List[Any] = traitlets.List().tag(sync=True)
+
+
+def style() -> Any:
+    """Return the style of all exercises, as a widget that shows nothing."""
+    return w.HTML(f"<style>{_STYLE}</style>", layout=w.Layout(display="none"))
+
+
+def maths(text: str, *classes: str) -> Any:
+    """Return HTML with TeX between dollar signs, as a widget; it takes no room when empty."""
+    made = w.HTMLMath()
+    show(made, text)
+    for name in classes:
+        made.add_class(name)
+    return made
+
+
+def press(words: str, *classes: str, tooltip: str = "") -> Any:
+    """Return a button."""
+    made = w.Button(description=words, tooltip=tooltip, layout=w.Layout(width="auto"))
+    for name in classes:
+        made.add_class(name)
+    return made
+
+
+def show(widget: Any, text: str) -> None:
+    """Put text into a widget; without any it takes no room."""
+    display = "" if text else "none"
+    if widget.layout.display != display:
+        widget.layout.display = display
+    if widget.value != text:
+        widget.value = text
+
+
+def close_all(widget: Any) -> None:
+    """Close a widget and all that it is made of."""
+    for child in getattr(widget, "children", ()):
+        close_all(child)
+    for owned in (getattr(widget, "layout", None), getattr(widget, "style", None)):
+        if isinstance(owned, w.Widget):
+            owned.close()
+    w.Widget.close(widget)
+
+
+# -- one answer box for each kind ------------------------------------------------------------------
+
+
+class Box:
+    """Where an answer is given.
+
+    Attributes
+    ----------
+    widget
+        what is shown.
+    """
+
+    def __init__(self, group: Group, submit: Submit) -> None:
+        self.group, self.submit = group, submit
+        self.widget = w.VBox().add_class("ruledlab-box")
+
+    def show(self, answer: Any) -> None:
+        """Show an answer that was given earlier."""
+
+    def reveal(self) -> None:
+        """Show the solution in the box, where that is possible."""
+
+    def close(self) -> None:
+        """Let go of everything."""
+
+    def listen(self, front: _Front, handler: Callable[[Mapping[str, Any]], None]) -> None:
+        """Call ``handler(content)`` with what the browser says, under the group's guard."""
+
+        def said(_widget: Any, content: Any, _buffers: Any) -> None:
+            if isinstance(content, dict):
+                self.group.guard(lambda: handler(content))
+
+        front.on_msg(said)
+        self.group._releases.append(lambda: front.on_msg(said, remove=True))
+
+
+class ChooseBox(Box):
+    """Rows to choose from; arrow keys move, Enter checks."""
+
+    def __init__(
+        self,
+        group: Group,
+        submit: Submit,
+        texts: Sequence[str],
+        order: Sequence[int],
+        label: str,
+        button: str = "Check",
+    ) -> None:
+        super().__init__(group, submit)
+        self._order = tuple(order)
+        rows = [maths(texts[i], "ruledlab-option") for i in self._order]
+        self.front = _Front(part="choose", label=label, button=button)
+        self.listen(self.front, self._said)
+        self.widget.children = [*rows, self.front]
+        self.widget.add_class("ruledlab-options")
+
+    def _said(self, content: Mapping[str, Any]) -> None:
+        match content:
+            case {"chosen": int(row)} if 0 <= row < len(self._order):
+                self.front.chosen = row
+                self.submit(self._order[row])
+            case {"chosen": _}:
+                self.submit(None)
+
+    def show(self, answer: Any) -> None:
+        """Mark a row."""
+        if isinstance(answer, int) and answer in self._order:
+            self.front.chosen = self._order.index(answer)
+
+
+class FieldBox(Box):
+    """A field for a number, an array or a formula; Enter checks."""
+
+    def __init__(self, group: Group, submit: Submit, label: str, unit: str = "") -> None:
+        super().__init__(group, submit)
+        self.front = _Front(part="field", label=label, unit=unit)
+        self.listen(self.front, self._said)
+        self.widget.children = [self.front]
+
+    def _said(self, content: Mapping[str, Any]) -> None:
+        match content:
+            case {"text": str(text)}:
+                self.front.text = text
+                self.submit(text)
+
+    def show(self, answer: Any) -> None:
+        """Put a text into the field."""
+        if isinstance(answer, str):
+            self.front.text = answer
+
+
+class SketchBox(Box):
+    """A plane to draw in, with the pointer or with handles moved by keys."""
+
+    def __init__(self, group: Group, submit: Submit, task: Sketch) -> None:
+        super().__init__(group, submit)
+        self._task = task
+        self.front = _Front(part="sketch", label=task.label, button="Compare")
+        self.front.plot = {
+            "span": list(task.span),
+            "heights": list(task.heights),
+            "knots": task.KNOTS,
+            "label": task.label,
+            "colours": [_colour(LIGHT, task), _colour(DARK, task)],
+        }
+        self.listen(self.front, self._said)
+        self.widget.children = [self.front]
+
+    def _said(self, content: Mapping[str, Any]) -> None:
+        match content:
+            case {"sketch": list(heights)}:
+                self.front.sketch = heights
+                self.submit(heights)
+            case {"again": _}:
+                self.front.truth = []
+                self.front.sketch = []
+
+    def show(self, answer: Any) -> None:
+        """Show a sketch, and the true curve over it."""
+        if isinstance(answer, list) and len(answer) == self._task.KNOTS:
+            self.front.sketch = answer
+            self.reveal()
+
+    def reveal(self) -> None:
+        """Show the true curve."""
+        self.front.truth = [
+            None if not math.isfinite(y) else float(y) for y in self._task.curve(self._task.t)
+        ]
+
+
+def _colour(theme: Any, task: Sketch) -> str:
+    return str(theme.quantity(task.quantity) if task.quantity else theme.tau)
+
+
+class CodeBox(Box):
+    """The lines to begin from, and the value that was checked last."""
+
+    def __init__(self, group: Group, submit: Submit, task: Code, key: str) -> None:
+        super().__init__(group, submit)
+        lines = f'{task.starter}\ncheck("{key}", value)'
+        self._last = w.HTML(layout=w.Layout(display="none"))
+        self.widget.children = [
+            w.HTML(
+                '<div class="ruledlab-note">In a code cell of the notebook, replace the dots:</div>'
+                f'<pre class="ruledlab-code">{html.escape(lines)}</pre>'
+            ),
+            self._last,
+        ]
+
+    def show(self, answer: Any) -> None:
+        """Show the last value."""
+        text = html.escape(str(answer)[:300])
+        last = f'<div class="ruledlab-note">Your last value: <code>{text}</code></div>'
+        show(self._last, last)
+
+
+class SlipBox(Box):
+    """The printed lines first, and once the wrong one is found, what should stand there."""
+
+    def __init__(self, group: Group, submit: Submit, task: FindSlip, say: Submit) -> None:
+        super().__init__(group, submit)
+        self._task, self._say = task, say
+        texts = [line.text for line in task.lines]
+        self._lines = ChooseBox(
+            group, self._line, texts, range(len(texts)), "the printed lines", "This line"
+        )
+        self._then = box_for(task.then, group, self._correct, "", self._say, None)
+        self._second = w.VBox([maths(task.then.question, "ruledlab-question"), self._then.widget])
+        self._second.layout.display = "none"
+        self._lines.widget.add_class("ruledlab-printed")
+        self.widget.children = [self._lines.widget, self._second]
+
+    def _line(self, line: Any) -> None:
+        verdict = self._task.judge_line(line)
+        self._open(verdict.right)
+        if verdict.right or verdict.state == UNREAD:
+            self._say(verdict)
+        else:
+            self.submit({"line": line})
+
+    def _open(self, shown: bool) -> None:
+        self._second.layout.display = "flex" if shown else "none"
+
+    def _correct(self, then: Any) -> None:
+        self.submit({"line": self._task.wrong_line, "then": then})
+
+    def show(self, answer: Any) -> None:
+        """Show the line and the correction."""
+        if isinstance(answer, dict):
+            self._lines.show(answer.get("line"))
+            self._open(answer.get("line") == self._task.wrong_line)
+            self._then.show(answer.get("then"))
+
+
+class DragBox(Box):
+    """The chart of a lab, and its conditions with how far off each is, live."""
+
+    def __init__(
+        self, group: Group, submit: Submit, task: Drag, say: Submit, lab: Lab | None
+    ) -> None:
+        super().__init__(group, submit)
+        self._task, self._say, self._met = task, say, False
+        self.draft: Callable[[Design], None] = lambda design: None
+        self._timer: threading.Timer | None = None
+        self._given = lab is not None
+        self.lab = Lab(task.start) if lab is None else lab
+        self._conditions = maths("", "ruledlab-conditions")
+        self._parts: list[Any] = [] if self._given else self._own_parts()
+        self.widget.children = [self._conditions, *(part for part, _ in self._parts)]
+        self._quiet = False
+        group.follow(self.lab, self._update)
+        self._update(Change(scene=True))
+
+    def _own_parts(self) -> list[tuple[Any, Callable[[], None]]]:
+        figure = chart(self.lab)
+        parts = [_control(HistoryControl(self.lab)), (figure, figure.close)]
+        if self._task.fields:
+            parts.append(_control(FieldControl(self.lab)))
+        if self._task.plots:
+            parts.append(self._own_plots(figure))
+        return parts
+
+    def _own_plots(self, figure: Any) -> tuple[Any, Callable[[], None]]:
+        plots = CurvePlots(self._task.plots)
+        releases = [
+            plots.on_pick(self.lab.move_cursor),
+            figure.pad.on_theme(lambda dark: plots.set_theme(DARK if dark else LIGHT)),
+            self.lab.follow(
+                lambda change: (
+                    plots.draw(self.lab.result.scene, self.lab.mark)
+                    if change.scene
+                    else plots.draw_cursor(self.lab.mark)
+                )
+            ),
+        ]
+        plots.draw(self.lab.result.scene, self.lab.mark)
+
+        def close() -> None:
+            for release in releases:
+                release()
+            plots.close()
+
+        return plots.widget, close
+
+    def _update(self, change: Change) -> None:
+        if not change.scene:
+            return
+        conditions = self._task.conditions(self.lab.result)
+        show(self._conditions, conditions_html(conditions))
+        if self._quiet:
+            return
+        was, self._met = self._met, all(condition.met for condition in conditions)
+        if self._met and not was:
+            self.submit(self.lab.design)
+        elif not self._met:
+            verdict = self._task.judge(self.lab.result)
+            self._say(verdict if verdict.slip else None)
+        self._save_later()
+
+    def _save_later(self) -> None:
+        """Save when the hand rests: not at every move."""
+        if self._timer is not None:
+            self._timer.cancel()
+        self._timer = threading.Timer(PAUSE, self._save)
+        self._timer.daemon = True
+        self._timer.start()
+
+    def _save(self) -> None:
+        self._timer = None
+        self.group.guard(lambda: self.draft(self.lab.design))
+
+    def show(self, answer: Any) -> None:
+        """Open a design that was reached earlier."""
+        if not isinstance(answer, str) or self._given:
+            return
+        try:
+            design = Design.from_text(answer)
+        except GeometryError:
+            return
+        self._load(design)
+
+    def _load(self, design: Design) -> None:
+        """Put a design in place without taking it for the reader's answer."""
+        self._quiet = True
+        self.lab.load(design, "exercise")
+        self._quiet = False
+        self._met = all(c.met for c in self._task.conditions(self.lab.result))
+
+    def reveal(self) -> None:
+        """Show a design that fulfils the conditions; undo leads back."""
+        self._load(self._task.model)
+
+    def close(self) -> None:
+        """Save what is not saved yet, let go of the lab and of all parts."""
+        if self._timer is not None:
+            self._timer.cancel()
+            self._save()
+        for _, close in self._parts:
+            close()
+
+
+def _control(group: Any) -> tuple[Any, Callable[[], None]]:
+    """Return a control's widget and what closes it."""
+    if group.defect not in group.widget.children:
+        group.widget.children = (*group.widget.children, group.defect)
+    return group.widget, group.release
+
+
+def conditions_html(conditions: Sequence[Condition]) -> str:
+    """Return conditions with how far off each is."""
+    rows = "".join(_condition_html(condition) for condition in conditions)
+    return f'<ul class="ruledlab-marks" role="status">{rows}</ul>'
+
+
+def _condition_html(condition: Condition) -> str:
+    state = "is-met" if condition.met else "is-open"
+    unit = "" if condition.unit in ("", "°", "%") else " "
+    if condition.met:
+        off = "holds"
+    elif math.isnan(condition.off):
+        off = "cannot be measured"
+    else:
+        off = f"off by {condition.off:.3g}{unit}{condition.unit}"
+    share = 0.0 if math.isnan(condition.off) else _nearness(condition)
+    now = f'<span class="ruledlab-now">{condition.now}</span>' if condition.now else ""
+    return (
+        f'<li class="{state}"><span>{condition.text}</span> <b>{off}</b> {now}'
+        f'<i class="ruledlab-near" style="--near:{share:.3f}"></i></li>'
+    )
+
+
+def _nearness(condition: Condition) -> float:
+    """Return 1 where the condition holds, falling to 0 far away."""
+    return 1.0 / (1.0 + max(0.0, condition.off / condition.within - 1.0) / 8.0)
+
+
+def box_for(
+    task: Task, group: Group, submit: Submit, key: str, say: Submit, lab: Lab | None
+) -> Box:
+    """Return the box for a task."""
+    match task:
+        case Choose():
+            texts = [option.text for option in task.options]
+            return ChooseBox(group, submit, texts, task.shown, "the answers")
+        case Code():
+            return CodeBox(group, submit, task, key)
+        case Number():
+            return FieldBox(group, submit, task.label or "your answer", task.unit)
+        case Formula():
+            return FieldBox(group, submit, task.label or "your formula")
+        case Drag():
+            return DragBox(group, submit, task, say, lab)
+        case Sketch():
+            return SketchBox(group, submit, task)
+        case FindSlip():
+            return SlipBox(group, submit, task, say)
+    raise AssertionError(task)
