@@ -21,7 +21,7 @@ LAYERS: tuple[frozenset[str], ...] = tuple(
         "geometry.series geometry.quadrature",
         "geometry.dual",
         "geometry.jet geometry.line",
-        "geometry.curve geometry.field",
+        "geometry.curve geometry.bspline geometry.field",
         "geometry.closed",
         "geometry.surface",
         "geometry.rebuild",

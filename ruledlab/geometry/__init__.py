@@ -6,6 +6,7 @@ and scipy only.
 
 from __future__ import annotations
 
+from .bspline import BSpline
 from .checks import GeometryError
 from .closed import ArcLengths, Closure
 from .curve import Bezier
@@ -18,6 +19,7 @@ from .surface import Curvature, FundamentalForms, Invariants, RuledSurface, Unde
 __all__ = [
     "CHOICES",
     "ArcLengths",
+    "BSpline",
     "Bezier",
     "Choice",
     "Closure",

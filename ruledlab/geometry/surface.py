@@ -139,11 +139,31 @@ class Curvature:
     """Gauss and mean curvature, each of shape (*batch, *t.shape, *w.shape).
 
     NaN at the striction point of a torsal ruling (κ̄ = w = 0), where there is no tangent plane, and
-    along rulings whose κ̄ or τ̄ is undefined, for the reasons in `Invariants.undefined`.
+    along rulings whose κ̄ or τ̄ is undefined; `undefined` says which and why.
     """
 
     gauss: Array
     mean: Array
+    _invariants: Invariants
+    _tail: int
+
+    @property
+    def undefined(self) -> tuple[Undefined, ...]:
+        """Where K and H are NaN, and why; empty where all are defined."""
+        names, torsal = ("gauss", "mean"), np.isnan(self.mean)
+        reports = []
+        for report in self._invariants.undefined:
+            if report.names != ("sigma",):
+                where = report.where.reshape(report.where.shape + (1,) * self._tail)
+                where = np.broadcast_to(where, torsal.shape)
+                reports.append(Undefined(names, where, report.reason))
+                torsal = torsal & ~where
+        reason = (
+            "κ̄ = 0 and w = 0: the striction point of a torsal ruling, where the surface has no "
+            "tangent plane"
+        )
+        reports.append(Undefined(names, torsal, reason))
+        return tuple(report for report in reports if report.where.any())
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -341,7 +361,7 @@ class RuledSurface:
         of all points of a ruling |K| is greatest at the striction point.
         """
         w, invariants = finite_array(w, "w"), self.invariants(t)
-        return _curvature([_spread(getattr(invariants, name), w) for name in BENDING], w)
+        return _curvature(invariants, w, w.ndim)
 
     # -- the whole surface -----------------------------------------------------------------------
 
@@ -393,19 +413,22 @@ class RuledSurface:
 
 def curvature_along(invariants: Invariants, w: Array) -> Curvature:
     """Return K and H at places w of shape (…, W) chosen for each ruling."""
-    return _curvature([getattr(invariants, name)[..., None] for name in BENDING], w)
+    return _curvature(invariants, w, 1)
 
 
 BENDING = ("kappa", "kappa_bar", "tau", "tau_bar", "kappa_prime", "kappa_bar_prime")
 """The invariants that K and H depend on."""
 
 
-def _curvature(rows: list[Array], w: Array) -> Curvature:
-    k, kb, tau, tb, dk, dkb = rows
+def _curvature(invariants: Invariants, w: Array, tail: int) -> Curvature:
+    """Append ``tail`` axes to the invariants, so that they broadcast against w."""
+    rows = (getattr(invariants, name) for name in BENDING)
+    k, kb, tau, tb, dk, dkb = (row.reshape(row.shape + (1,) * tail) for row in rows)
     with np.errstate(all="ignore"):
         size = _area(k, kb, w)
         bend = kb * (w * dk - kb * tau - k * tb) - w * k * (w * k * tau + dkb)
-        return Curvature(-((k * kb / size**2) ** 2), bend / (2.0 * size**3))
+        gauss, mean = -((k * kb / size**2) ** 2), bend / (2.0 * size**3)
+    return Curvature(gauss, mean, invariants, tail)
 
 
 def _last(vectors: Array) -> Array:
