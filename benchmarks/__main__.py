@@ -21,7 +21,9 @@ def main(names: list[str]) -> int:
     if unknown := [name for name in names if name not in PARTS]:
         print(f"`{unknown[0]}` is none of {', '.join(PARTS)}", file=sys.stderr)
         return 2
-    print(f"Python {platform.python_version()}, {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}")
+    print(
+        f"Python {platform.python_version()}, {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}"
+    )
     print("Times at 400 and 10⁶ t and of imports: the least of many, both taking turns; in")
     print("brackets the ratio of the medians. Moves: medians.\n")
     print(line(HEAD), line(tuple("-" * width for width in WIDTHS)), sep="\n")

@@ -21,9 +21,7 @@ U, V = sp.Function("u")(T), sp.Function("v")(T)
 u, v = sp.symbols("u v")
 
 
-def usual_invariants(
-    points: ArrayLike, ubar: str, vbar: str
-) -> Callable[[NDArray], list[NDArray]]:
+def usual_invariants(points: ArrayLike, ubar: str, vbar: str) -> Callable[[NDArray], list[NDArray]]:
     """Return a function of t that gives κ, κ̄, τ, τ̄, σ, δ, κ′, κ̄′."""
     formulas = _lambdified(_closed_forms(sp.sympify(ubar), sp.sympify(vbar)))
     curve = BPoly(np.asarray(points, float)[:, None, :], [0, 1])

@@ -21,7 +21,7 @@ __all__ = ["rows"]
 Q = np.pi / 8
 EXAMPLE_2 = Q * np.array([[1, 2], [1, 3], [3, 3], [3, 2], [3, 1], [1, 1], [1, 2]])
 FIELDS = {"u − v, u + v": ("u - v", "u + v"), "with functions": ("sin(u)*v", "exp(-v) + u**2/4")}
-NAMES = "kappa kappa_bar tau tau_bar sigma delta kappa_prime kappa_bar_prime".split()
+NAMES = ("kappa", "kappa_bar", "tau", "tau_bar", "sigma", "delta", "kappa_prime", "kappa_bar_prime")
 MILLION = 10**6
 ROOT = Path(__file__).resolve().parents[1]
 

@@ -25,10 +25,16 @@ HERE = Path(__file__).resolve().parent
 LESSON = HERE.parent / "lessons" / "06_design_on_the_sphere.ipynb"
 WATCH, HOLD = ((HERE / name).read_text(encoding="utf-8") for name in ("watch.js", "hold.js"))
 PICTURES = {"plots": ".ruledlab-plots-curves", "image": ".jp-RenderedImage img"}
+FORGET = "() => Object.assign(watch, {drawn: [], keys: [], received: 0, sent: 0})"
+QUIET = """([kinds, pause]) => {
+  const last = kinds.map(kind => watch.drawn.findLast(([, of]) => of === kind)?.[0]);
+  return last.every(at => at !== undefined && performance.now() - at > pause);
+}"""
 HANDLE = ".widget-slider .noUi-handle"
 
-ROUNDS, MOVES, WARM = 3, 8, 3
-PAUSE = 0.7  # seconds: longer than any contender takes for one move
+VIEWPORT = (1400, 1500)  # everything on screen, the usual notebook's two pictures as well
+ROUNDS, MOVES, WARM = 3, 8, 4
+LONGEST, PAUSE = 8.0, 0.4  # seconds: until a move is given up; quiet after its last picture
 RATE, SECONDS, LATER = 60, 5, 2.0
 KINDS = ("plots", "surface")
 
@@ -41,7 +47,8 @@ class Moves:
     bytes: list[int] = field(default_factory=list)
 
     def milliseconds(self, kind: str) -> float:
-        return 1e3 * median(self.seconds[kind])
+        # A picture that never came is no fast picture.
+        return 1e3 * median(self.seconds[kind] or [float("inf")])
 
     def kilobytes(self) -> float:
         return median(self.bytes) / 1e3
@@ -53,11 +60,14 @@ def rows() -> Iterator[Row]:
         print(f"Slider moves in JupyterLab were not measured: {reason}", file=sys.stderr)
         return
     with tempfile.TemporaryDirectory() as scratch, lab_session(Path(scratch) / "lab") as lab:
+        lab.viewport = VIEWPORT
         yield from _opening(lab)
         studio = _opened(lab, write(Path(scratch) / "studio.ipynb", STUDIO))
         yield Row("first picture, from running the studio's cells", studio.first, None, "s")
-        yield Row("memory of the kernel with the studio open", _memory(studio.page), None, "MB", 170)
-        yield from _moves(lab, studio.page, Path(scratch))
+        yield Row(
+            "memory of the kernel with the studio open", _memory(studio.page), None, "MB", 170
+        )
+        yield from _moves(lab, studio, Path(scratch))
         yield from _held(studio.page)
 
 
@@ -66,11 +76,12 @@ def rows() -> Iterator[Row]:
 
 @dataclass(frozen=True, slots=True)
 class Opened:
-    """A notebook that has run: seconds to its first picture since running, and since opening."""
+    """A notebook that has run: seconds to its first picture since running and since opening."""
 
     page: NotebookPage
     first: float
     since_opening: float
+    kinds: list[str]
 
 
 def _opened(lab: LabSession, path: Path) -> Opened:
@@ -82,9 +93,10 @@ def _opened(lab: LabSession, path: Path) -> Opened:
         raise RuntimeError(f"{path.name}: {errors[0]}")
     page.page.wait_for_function("() => watch.drawn.length", timeout=60_000)
     page.page.wait_for_timeout(1500)
-    kinds = page.page.evaluate("() => watch.drawn")
-    first = max(min(at for at, of in kinds if of == kind) for kind in {of for _, of in kinds})
-    return Opened(page, (first - start) / 1e3, first / 1e3)
+    drawn = page.page.evaluate("() => watch.drawn")
+    kinds = sorted({kind for _, kind in drawn})
+    first = max(min(at for at, of in drawn if of == kind) for kind in kinds)
+    return Opened(page, (first - start) / 1e3, first / 1e3, kinds)
 
 
 def _opening(lab: LabSession) -> Iterator[Row]:
@@ -102,10 +114,10 @@ def _memory(page: NotebookPage) -> float:
     return float(process.memory_info().rss) / 1e6
 
 
-# -------------------------------------------------------------------------------------- single moves
+# ------------------------------------------------------------------------------------ single moves
 
 
-def _moves(lab: LabSession, studio: NotebookPage, scratch: Path) -> Iterator[Row]:
+def _moves(lab: LabSession, studio: Opened, scratch: Path) -> Iterator[Row]:
     found = {name: _against(lab, studio, cells, scratch) for name, cells in USUAL.items()}
     for name, kind, what in (
         ("both", "plots", "one move: plots drawn"),
@@ -116,13 +128,17 @@ def _moves(lab: LabSession, studio: NotebookPage, scratch: Path) -> Iterator[Row
         ours, usual = found[name]
         yield Row(what, ours.milliseconds(kind), usual.milliseconds(kind), "ms", 0.2)
     ours, usual = found["both"]
-    yield Row("one move: bytes to and from the kernel", ours.kilobytes(), usual.kilobytes(), "kB", 0.1)
+    yield Row(
+        "one move: bytes to and from the kernel", ours.kilobytes(), usual.kilobytes(), "kB", 0.1
+    )
 
 
 def _against(
-    lab: LabSession, studio: NotebookPage, cells: list[str], scratch: Path
+    lab: LabSession, studio: Opened, cells: list[str], scratch: Path
 ) -> tuple[Moves, Moves]:
-    usual = _opened(lab, write(scratch / "usual.ipynb", cells)).page
+    usual = _opened(lab, write(scratch / "usual.ipynb", cells))
+    # The pictures below the slider, not the code above it
+    usual.page.locator(HANDLE).evaluate("node => node.scrollIntoView({block: 'start'})")
     ours_found, usual_found = Moves(), Moves()
     for page, found in ((studio, Moves()), (usual, Moves())):
         _move(page, found, "ArrowRight", WARM)
@@ -130,20 +146,21 @@ def _against(
         key = "ArrowLeft" if number % 2 else "ArrowRight"
         _move(studio, ours_found, key, MOVES)
         _move(usual, usual_found, key, MOVES)
-    lab.close(usual)
+    lab.close(usual.page)
     return ours_found, usual_found
 
 
-def _move(page: NotebookPage, found: Moves, key: str, times: int) -> None:
+def _move(opened: Opened, found: Moves, key: str, times: int) -> None:
+    page, kinds = opened.page, opened.kinds
     page.page.bring_to_front()
     handle = page.locator(HANDLE)
-    handle.scroll_into_view_if_needed()
+    handle.evaluate("node => node.scrollIntoView({block: 'nearest'})")
     handle.focus()
     page.page.wait_for_timeout(300)
     for _ in range(times):
-        page.page.evaluate("() => Object.assign(watch, {drawn: [], keys: [], received: 0, sent: 0})")
+        page.page.evaluate(FORGET)
         page.page.keyboard.press(key)
-        page.page.wait_for_timeout(1e3 * PAUSE)
+        page.page.wait_for_function(QUIET, arg=[kinds, 1e3 * PAUSE], timeout=1e3 * LONGEST)
         _note(found, page.page.evaluate("() => watch"))
 
 
@@ -161,7 +178,7 @@ def _note(found: Moves, seen: dict[str, Any]) -> None:
 
 def _held(page: NotebookPage) -> Iterator[Row]:
     page.page.bring_to_front()
-    page.page.evaluate("() => Object.assign(watch, {drawn: [], keys: []})")
+    page.page.evaluate(FORGET)
     run = page.page.evaluate(HOLD, [HANDLE, RATE, SECONDS])
     page.page.wait_for_timeout(1e3 * LATER)
     drawn = page.page.evaluate("() => watch.drawn")

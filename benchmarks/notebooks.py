@@ -64,7 +64,8 @@ _SHOW = """\
 def draw(u, v):
     {}
 
-sliders = {{name: widgets.FloatSlider(value=3 * np.pi / 8, min=0, max=3, step=0.01, description=name)
+middle = 3 * np.pi / 8
+sliders = {{name: widgets.FloatSlider(value=middle, min=0, max=3, step=0.01, description=name)
            for name in "uv"}}
 display(*sliders.values(), widgets.interactive_output(draw, sliders))
 """

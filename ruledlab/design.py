@@ -10,7 +10,6 @@ import reprlib
 import zlib
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields, replace
-from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -195,7 +194,9 @@ def _pair(point: Any) -> tuple[float, float]:
 
 
 def _coordinate(value: Any) -> float:
-    is_number = isinstance(value, Real) and not isinstance(value, bool)
+    if isinstance(value, np.generic):
+        value = value.item()
+    is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
     if not is_number or not abs(value) <= LARGEST:
         raise GeometryError(
             f"`points` must be made of finite numbers of at most {LARGEST:g}; got {_short(value)} "

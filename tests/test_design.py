@@ -193,7 +193,7 @@ def test_too_many_points_in_a_small_file():
     assert len(Design.from_json(altered(points=[[0, 1]] * 61)).points) == 61
 
 
-@pytest.mark.parametrize("depth", [*range(880, 1010, 10), 20_000])
+@pytest.mark.parametrize("depth", [100, *range(880, 1010, 25), 20_000])
 @pytest.mark.parametrize("where", ["alone", "points", "point", "length", "ubar", "name", "closing"])
 def test_deep_nesting(depth, where):
     deep = "[" * depth + "]" * depth
@@ -272,9 +272,10 @@ def test_points_that_do_not_close_as_the_file_says(closing, order):
 # ---- bad short texts ----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("kept", range(len(SIMPLE.to_text())))
-def test_a_word_that_is_cut(kept):
-    refused(lambda: Design.from_text(SIMPLE.to_text()[:kept]), "`text`", "copy the whole")
+def test_a_word_that_is_cut_anywhere():
+    text = SIMPLE.to_text()
+    for kept in range(len(text)):
+        refused(lambda n=kept: Design.from_text(text[:n]), "`text`", "copy the whole")
 
 
 @pytest.mark.parametrize("width", [3, 10, 20, 76])

@@ -20,7 +20,6 @@ from ..lab.controls import FieldControl, Group, HistoryControl
 from ..lab.palette import DARK, LIGHT
 from ..lab.plots import CurvePlots
 from ..lab.state import Change, Lab
-from .check import STYLE
 from .core import (
     UNREAD,
     Choose,
@@ -33,6 +32,7 @@ from .core import (
     Sketch,
     Task,
 )
+from .record import STYLE
 
 __all__ = ["Box", "ChooseBox", "DragBox", "box_for", "close_all", "maths", "press", "show", "style"]
 
@@ -47,7 +47,7 @@ Submit = Callable[[Any], None]
 # -- small parts -----------------------------------------------------------------------------------
 
 
-class _Front(anywidget.AnyWidget):  # type: ignore[misc]
+class _Front(anywidget.AnyWidget):
     """The part of a box that needs the browser: rows to choose from, a field, a drawing."""
 
     _esm = _STATIC / "exercises.js"
@@ -198,9 +198,9 @@ class FieldBox(Box):
 class SketchBox(Box):
     """A plane to draw in, with the pointer or with handles moved by keys."""
 
-    def __init__(self, group: Group, submit: Submit, task: Sketch) -> None:
+    def __init__(self, group: Group, submit: Submit, task: Sketch, say: Submit) -> None:
         super().__init__(group, submit)
-        self._task = task
+        self._task, self._say = task, say
         self.front = _Front(part="sketch", label=task.label, button="Compare")
         self.front.plot = {
             "span": list(task.span),
@@ -220,6 +220,7 @@ class SketchBox(Box):
             case {"again": _}:
                 self.front.truth = []
                 self.front.sketch = []
+                self._say(None)
 
     def show(self, answer: Any) -> None:
         """Show a sketch, and the true curve over it."""
@@ -457,7 +458,7 @@ def box_for(
         case Drag():
             return DragBox(group, submit, task, say, lab)
         case Sketch():
-            return SketchBox(group, submit, task)
+            return SketchBox(group, submit, task, say)
         case FindSlip():
             return SlipBox(group, submit, task, say)
     raise AssertionError(task)

@@ -85,9 +85,10 @@ class Verdict:
 
 
 def _unread(error: GeometryError) -> Verdict:
-    text = error.message if isinstance(error, FormulaError) else str(error).replace("`", "")
-    pointer = error.pointer(48) if isinstance(error, FormulaError) and error.text.strip() else ""
-    return Verdict(UNREAD, html.escape(_sentence(text)), pointer=pointer)
+    if not isinstance(error, FormulaError):
+        return Verdict(UNREAD, html.escape(_sentence(str(error).replace("`", ""))))
+    text = f"this cannot be read: {error.message}"
+    return Verdict(UNREAD, html.escape(_sentence(text)), pointer=error.pointer(48))
 
 
 def _sentence(text: str) -> str:
@@ -389,8 +390,10 @@ def _off_number(given: float, expected: float, allowed: float) -> str:
     if factor := _factor(given, expected, allowed):
         return factor
     sign = " The sign is off too." if given * expected < 0 else ""
+    larger, smaller = max(abs(given), abs(expected)), min(abs(given), abs(expected))
     direction = "large" if abs(given) > abs(expected) else "small"
-    return f"Too {direction}{' in size' if sign or given < 0 else ''}.{sign}"
+    size = "more" if larger > 2 * smaller else "less"
+    return f"Too {direction} in size, by {size} than a factor of 2.{sign}"
 
 
 def _factor(given: float, expected: float, allowed: float) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 
 import numpy as np
@@ -334,13 +335,13 @@ def _grown(factor: float) -> Design:
     return EXAMPLE_2.with_(points=tuple((float(u), float(v)) for u, v in grown))
 
 
+@functools.cache
 def _with_pitch(target: float) -> Design:
-    """Return Example 2, grown about its middle until it has this pitch: by bisection."""
-    low, high = 0.3, 1.6
-    for _ in range(40):
-        factor = (low + high) / 2
-        low, high = (factor, high) if _grown(factor).surface().pitch() < target else (low, factor)
-    return _grown(low)
+    """Return Example 2, grown about its middle until it has this pitch: nearly as the square."""
+    factor = 1.0
+    for _ in range(4):
+        factor *= math.sqrt(target / _grown(factor).surface().pitch())
+    return _grown(factor)
 
 
 def _reversed(design: Design) -> Design:
@@ -603,7 +604,7 @@ def closing(draw: Draw) -> FindSlip:
             answer="2*a - b",
             variables=("a", "b"),
             box=((-2.0, 2.0), (-2.0, 2.0)),
-            label="p_{n−1} =",
+            label="pₙ₋₁ =",
             slips=(
                 known.formula(
                     "middle of the leg",

@@ -23,6 +23,9 @@ WIGGLE = 0.14
 NEAR = 0.09
 """Zeros and turns may be this fraction of the t-axis apart."""
 
+EDGE = 0.06
+"""Zeros and turns nearer to an end than this fraction of the t-axis do not count."""
+
 AGREE = 0.8
 """The part of the t-axis over which signs, or rising and falling, have to agree."""
 
@@ -74,7 +77,12 @@ def zeros(t: Array, y: Array, height: float) -> Array:
         part = slice(clear[i], clear[i + 1] + 1)
         order = np.argsort(y[part])
         places.append(float(np.interp(0.0, y[part][order], t[part][order])))
-    return np.array(places)
+    return np.array([x for x in places if _inside(x, t)])
+
+
+def _inside(x: float, t: Array) -> bool:
+    edge = EDGE * float(t[-1] - t[0])
+    return bool(t[0] + edge < x < t[-1] - edge)
 
 
 def turns(t: Array, y: Array, height: float) -> list[tuple[Literal["max", "min"], float]]:
@@ -86,14 +94,14 @@ def turns(t: Array, y: Array, height: float) -> list[tuple[Literal["max", "min"]
     for i in range(len(y)):
         high, low = (i if y[i] > y[high] else high), (i if y[i] < y[low] else low)
         if heading >= 0 and y[high] - y[i] > step:
-            if heading > 0 or high > 0:
+            if heading > 0:  # at first there is only a direction, no turn
                 found.append(("max", _middle(t, y, high)))
             heading, high, low = -1, i, i
         elif heading <= 0 and y[i] - y[low] > step:
-            if heading < 0 or low > 0:
+            if heading < 0:
                 found.append(("min", _middle(t, y, low)))
             heading, high, low = 1, i, i
-    return found
+    return [(kind, x) for kind, x in found if _inside(x, t)]
 
 
 def _middle(t: Array, y: Array, at: int) -> float:

@@ -14,9 +14,9 @@ from ..lab.controls import Group
 from ..lab.state import Lab
 from .answers import is_open
 from .boxes import ChooseBox, DragBox, box_for, close_all, maths, press, show, style
-from .check import keep, verdict_html
 from .core import UNREAD, Exercise, Sketch, Verdict, find, lesson, lessons
-from .progress import Store, the_store
+from .record import keep, verdict_html
+from .store import Store, the_store
 
 __all__ = ["Card", "Lesson", "Predict", "exercise", "exercises", "predict", "progress"]
 
@@ -68,8 +68,17 @@ def predict(question: str, options: Sequence[str], answer: int | str, because: s
         HTML with TeX; ``because`` is shown once an answer is chosen.
     answer
         the right option, or its index.
+
+    Raises
+    ------
+    ValueError
+        if the answer is none of the options.
     """
-    shown = Predict(question, tuple(options), answer, because)
+    texts = tuple(options)
+    right = answer if isinstance(answer, int) else (*texts, answer).index(answer)
+    if not 0 <= right < len(texts):
+        raise ValueError(f"`answer` must be one of the {len(texts)} options; got {answer!r}")
+    shown = Predict(question, texts, right, because)
     closes_with_cell(shown.close)
     return shown
 
@@ -93,7 +102,6 @@ class Card(w.VBox):  # type: ignore[misc]
     def __init__(self, exercise: Exercise, store: Store, lab: Lab | None = None) -> None:
         self.exercise, self._store, self._lab = exercise, store, lab
         self._group = Group()
-        self._open = True
         super().__init__()
         self.add_class("ruledlab").add_class("ruledlab-exercise")
         store.refresh()
@@ -102,6 +110,7 @@ class Card(w.VBox):  # type: ignore[misc]
 
     def add_style(self) -> None:
         """Bring the style along: for a card that stands alone."""
+        self.children: tuple[Any, ...]
         self.children = (style(), *self.children)
 
     # -- building --------------------------------------------------------------------------------
@@ -131,6 +140,7 @@ class Card(w.VBox):  # type: ignore[misc]
             self._note,
             self._group.defect,
         )
+        self._open = bool(self._record().get("solution"))
         self._restore()
         self._refresh()
 
@@ -161,12 +171,13 @@ class Card(w.VBox):  # type: ignore[misc]
         self._put(hints=used)
 
     def _solution(self) -> None:
-        if not self._record().get("solution"):
+        self._open = not self._open
+        if self._open:
             self.box.reveal()
+        record = self._record()
+        if not record.get("right") and not record.get("solution"):
             self._put(solution=True)
-        else:
-            self._open = not self._open
-            self._refresh()
+        self._refresh()
 
     def _put(self, **entries: Any) -> None:
         """Change the record; an entry with other values is begun anew."""
@@ -206,7 +217,7 @@ class Card(w.VBox):  # type: ignore[misc]
 
     def _refresh(self) -> None:
         record, task = self._record(), self.task
-        used, seen = int(record.get("hints", 0)), bool(record.get("solution"))
+        used = int(record.get("hints", 0))
         number, title = self.exercise.key, html.escape(self.exercise.title)
         state, words = state_of(record)
         self._head.value = (
@@ -218,14 +229,13 @@ class Card(w.VBox):  # type: ignore[misc]
             f'<div class="ruledlab-hint"><b>Hint {i + 1}</b> {hint}</div>'
             for i, hint in enumerate(task.hints[:used])
         )
-        shown = seen and self._open
         solution = f'<div class="ruledlab-solution"><b>Solution</b> {task.solution}</div>'
-        show(self._hints, hints + (solution if shown else ""))
+        show(self._hints, hints + (solution if self._open else ""))
         left = len(task.hints) - used
         self._more.description = f"Hint ({left} left)" if left else "No more hints"
         self._more.disabled = left == 0
         self._more.layout.display = "" if task.hints else "none"
-        self._solve.description = "Hide the solution" if shown else "Show the solution"
+        self._solve.description = "Hide the solution" if self._open else "Show the solution"
         note = html.escape(self._store.note)
         show(self._note, f'<div class="ruledlab-note" role="status">{note}</div>' if note else "")
 
@@ -272,7 +282,8 @@ class Lesson(w.VBox):  # type: ignore[misc]
 
     def __init__(self, number: str, store: Store) -> None:
         self._exercises, self._store = lesson(number), store
-        self._group, self._cards = Group(), {}
+        self._group = Group()
+        self._cards: dict[str, Card] = {}
         self._buttons = {e.key: self._number(e) for e in self._exercises}
         self._sum = w.HTML()
         self._place = w.VBox()
@@ -335,12 +346,8 @@ class Lesson(w.VBox):  # type: ignore[misc]
 class Predict(w.VBox):  # type: ignore[misc]
     """A question before a picture: choose, and the reason is shown."""
 
-    def __init__(
-        self, question: str, options: tuple[str, ...], answer: int | str, because: str
-    ) -> None:
-        self._right = options.index(answer) if isinstance(answer, str) else answer
-        if not 0 <= self._right < len(options):
-            raise ValueError(f"`answer` must be one of {len(options)} options; got {answer!r}")
+    def __init__(self, question: str, options: tuple[str, ...], answer: int, because: str) -> None:
+        self._right = answer
         self._because, self._group = because, Group()
         self.box = ChooseBox(
             self._group, self._chosen, options, range(len(options)), "your prediction", "Predict"

@@ -255,7 +255,7 @@ def _ask(request: PadRequest, pad: DomainPad, points: PointControl) -> None:
         case "remove":
             done = points.remove_at(request.index)
         case _:
-            done = points.place(request.index, to, ("pad", request.drag))
+            done = points.place(request.index, to, ("pad", id(pad), request.drag))
     if request.kind == "end":
         lab.seal()
     if not done:

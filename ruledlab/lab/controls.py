@@ -246,10 +246,8 @@ class NumberControl:
         try:
             value = self._allowed(number(text, self._name))
             if value == self._value:
-                self.show(value)  # nothing to ask for, but an earlier message has to go
-            else:
-                self.say(None)
-                self._commit(value)
+                self.show(value)  # nothing will change, but an earlier message has to go
+            self._commit(value)
         except FormulaError as error:
             self.say(plain(str(error)), error.pointer(28))
         except GeometryError as error:
@@ -356,9 +354,8 @@ class PointControl(Group):
     def _move(self, axis: int, value: float) -> None:
         index = self.lab.chosen
         to = list(self.lab.design.points[index])
-        if to[axis] != value:
-            to[axis] = value
-            self.place(index, to, self._strokes.token((index, axis)))
+        to[axis] = value
+        self.place(index, to, self._strokes.token((index, axis)))
 
     def _raise_to(self, degree: float) -> None:
         order, steps = (

@@ -138,7 +138,7 @@ _BARS, _HAT = "\u0304\u0305", "\u0302"
 KNOWN = "".join(_PATHS)
 """Characters with a shape of their own; others are drawn as an empty box."""
 
-_GAP, _SPACE = 2.3, 4.5
+_GAP, _SPACE = 2.7, 4.5
 _RAISED = {"<sub>": (0.64, -2.4), "<super>": (0.64, 5.2)}  # scale, shift upwards
 
 

@@ -38,20 +38,18 @@ import numpy as np
 from ..geometry.checks import Array, GeometryError, frozen
 from .glyphs import lettering
 from .palette import Theme
+from .shaders import INK_PLACES, INK_START, INK_STEP
+from .shaders import OVERLAY_COLUMNS as COLUMNS
 
 __all__ = ["Dot", "Label", "Overlay", "Packed", "Sheet", "Stroke", "ball", "pack"]
 
-COLUMNS = 40
 ROWS = 4096
 """Most lines of a texture that every browser accepts."""
 
 HEADER = 4
-PLACES, FARTHEST = 4096, 1e12
+FARTHEST = 1e12
 LABEL_AT = (9.0, 7.0)
 """Where the writing of a label begins, in pixels right of and above its point."""
-
-INK_START, INK_STEP = -64.0, 0.125
-"""Ends of a label's strokes are sent in eighths of a pixel, from −64 to 448."""
 
 NAMES = frozenset(field.name for field in fields(Theme)) - {"dark"}
 _HEX = re.compile(r"#[0-9a-fA-F]{6}")
@@ -319,9 +317,9 @@ def _labels(labels: tuple[Label, ...], theme: Theme) -> tuple[Array, Array]:
 
 def _written(text: str, number: int) -> Array:
     ends = lettering(text).reshape(-1, 2, 2) + LABEL_AT
-    steps = np.clip(np.round((ends - INK_START) / INK_STEP), 0, PLACES - 1)
+    steps = np.clip(np.round((ends - INK_START) / INK_STEP), 0, INK_PLACES - 1)
     strokes = np.zeros((len(ends), 4))
-    strokes[:, :2] = steps @ (PLACES, 1)
+    strokes[:, :2] = steps @ (INK_PLACES, 1)
     strokes[:, 2] = number
     return strokes
 
@@ -357,7 +355,7 @@ def pack(overlay: Overlay, theme: Theme) -> Packed:
 
 
 def ball(overlay: Overlay) -> tuple[Array, float]:
-    """Return centre and radius of a ball that holds all that is drawn; of radius 1 if nothing is."""
+    """Return centre and radius of a ball about all that is drawn, or the unit ball."""
     parts = [item.points.reshape(-1, 3) for item in (*overlay.strokes, *overlay.sheets)]
     parts += [item.point[None] for item in (*overlay.dots, *overlay.labels)]
     points = _joined(parts, 3)

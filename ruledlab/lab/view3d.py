@@ -1,7 +1,8 @@
 """Draws a scene's surface with pythreejs, and is the only module that imports it.
 
 What moves is sent as textures: one column per ruling (see `ruledlab.lab.shaders`), one byte per
-scalar, one row for the cursor. Meshes are built once for a number of rulings and never change.
+scalar, one row for the cursor, and one texture for all that a lesson draws into space (see
+`ruledlab.lab.overlay`). Meshes are built once for a number of rulings and never change.
 No geometry is computed here; directions, striction points and scalars arrive in a `Scene`.
 """
 
@@ -18,7 +19,9 @@ import numpy as np
 import numpy.typing as npt
 import pythreejs as three
 
+from ruledlab.geometry.checks import GeometryError, finite_array
 from ruledlab.lab import shaders
+from ruledlab.lab.overlay import Overlay, Packed, ball, pack
 from ruledlab.lab.palette import LIGHT, Theme
 from ruledlab.lab.scene import Mark, Scene
 
@@ -31,6 +34,14 @@ LINES = 24  # gaps between the rulings drawn as lines
 FAR = 100.0  # scene radii beyond which a ruling counts as undefined: no spike across the picture
 FIELD_OF_VIEW = 34.0  # degrees
 AZIMUTH, ELEVATION = math.radians(-58.0), math.radians(24.0)
+ASIDE = math.radians(50.0)  # between the camera and the rulings' mean direction, seen from above
+CLEARLY = 1.05
+LEVEL = 0.2  # a mean direction with a smaller horizontal part says nothing about the azimuth
+OUTLYING = 1.8  # radii of a scene within which all ends of rulings are brought into sight
+MARGIN = 1.04
+DASH = 0.055  # period of dashes, in radii of what is framed
+FAINT = 0.3  # of lines behind the surface
+FAR_BOXES = (2.0**20, 2.0**21)  # sides of boxes about everything, see `SurfaceView.on_pick`
 
 SEQUENTIAL = ("#172a5a", "#1d4f83", "#26778f", "#449f92", "#86c285", "#d0dc7e", "#fdf3b0")
 DIVERGING_LIGHT = ("#003f7d", "#2f86c8", "#a9d0ec", "#f4f2ee", "#f6bf85", "#d9711c", "#873a00")
@@ -46,6 +57,11 @@ STYLE = """<style>
   position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 .ruledlab-view3d > .widget-html { position: absolute; width: 0; height: 0; margin: 0; }
 </style>"""
+DRAWN = (
+    *("surface", "lattice", "striction", "striction hidden", "strokes hidden", "dots hidden"),
+    *("mark", "mark hidden", "strokes", "dots", "sheets", "labels"),
+    *("globe", "image", "controls", "needle"),
+)
 WORDS = "3D view of the ruled surface. Drag to turn, wheel to zoom, right button to move."
 
 
@@ -226,6 +242,7 @@ def _stops(diverging: bool, theme: Theme) -> tuple[str, ...]:
 
 CORNERS = np.array([(0, -1), (0, 1), (1, 1), (1, -1)], dtype=np.float32)
 SQUARE = np.array([(-1, -1), (-1, 1), (1, 1), (1, -1)], dtype=np.float32)
+CELL = np.array([(0, 0), (0, 1), (1, 1), (1, 0)], dtype=np.float32)
 
 
 def _geometry(index: Array, **attributes: Array) -> three.BufferGeometry:
@@ -285,10 +302,19 @@ def _marks() -> three.BufferGeometry:
     return _parts(parts, (SQUARE if kind >= disc else CORNERS for _, kind in parts))
 
 
-def _controls(capacity: int) -> three.BufferGeometry:
-    """Return squares for the control points on the sphere."""
+def _numbered(capacity: int, box: Array = SQUARE) -> three.BufferGeometry:
+    """Return numbered squares, for control points, dots or the cells of sheets."""
     number = np.repeat(np.arange(float(capacity)), 4)
-    return _geometry(_quads(capacity), number=number, corner=np.tile(SQUARE, (capacity, 1)))
+    return _geometry(_quads(capacity), number=number, corner=np.tile(box, (capacity, 1)))
+
+
+def _two_kinds(first: int, second: int) -> three.BufferGeometry:
+    """Return numbered ribbons of kind 0, then of kind 1, which are drawn after them."""
+    numbers = np.concatenate([np.arange(first), np.arange(second)])
+    kinds = np.repeat([0, 1], [first, second])
+    part = np.repeat(np.column_stack([numbers, kinds]), 4, axis=0)
+    count = first + second
+    return _geometry(_quads(count), part=part, corner=np.tile(CORNERS, (count, 1)))
 
 
 def _needle() -> three.BufferGeometry:
@@ -302,6 +328,19 @@ def _square() -> three.BufferGeometry:
 
 def _texture(data: Array) -> three.DataTexture:
     return three.DataTexture(data=data, type="FloatType")
+
+
+def _doubled(count: int) -> int:
+    """Return the power of two that has room for so many."""
+    return 1 << max(count - 1, 0).bit_length()
+
+
+def _fitting(rows: int, now: int) -> int:
+    """Return the size of a texture with room for so many rows: the present one, if it is good."""
+    if rows <= now <= 2 * rows + 4:
+        return now
+    step = 1 << max(rows.bit_length() - 3, 0)  # at most a quarter too large, and few sizes in all
+    return -(-rows // step) * step
 
 
 def _uniforms(**values: Any) -> dict[str, dict[str, Any]]:
@@ -377,9 +416,96 @@ def _looking(away: Array) -> tuple[float, ...]:
     return tuple(float(q) for q in row / np.linalg.norm(row))
 
 
-def _away() -> Array:
+def _away(azimuth: float = AZIMUTH) -> Array:
     flat = math.cos(ELEVATION)
-    return np.array([flat * math.cos(AZIMUTH), flat * math.sin(AZIMUTH), math.sin(ELEVATION)])
+    return np.array([flat * math.cos(azimuth), flat * math.sin(azimuth), math.sin(ELEVATION)])
+
+
+def _azimuth(scene: Scene) -> float:
+    """Choose the side to look from: the rulings across the picture, their image before the sphere.
+
+    Two sides see the mean direction under the same angle: the one nearer the usual side is taken,
+    unless the other sees clearly more of the surface. Without a mean direction, or with one near
+    the axis, it is the usual side.
+    """
+    good = _finite(scene.direction, scene.base_rate)
+    mean = scene.direction[good].sum(axis=0) / max(good.sum(), 1)
+    if math.hypot(mean[0], mean[1]) < LEVEL:
+        return AZIMUTH
+    facing = math.atan2(mean[1], mean[0])
+    with np.errstate(over="ignore", invalid="ignore"):
+        normals = np.cross(scene.base_rate[good], scene.direction[good])
+        normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+        sides = sorted((facing - ASIDE, facing + ASIDE), key=lambda a: -math.cos(a - AZIMUTH))
+        seen = [float(np.abs(normals @ _away(side)).sum()) for side in sides]
+    return sides[int(seen[1] > CLEARLY * seen[0])]
+
+
+def _outline(scene: Scene) -> Array:
+    """Return the ends of the drawn rulings but for those far off, which may be cut."""
+    good = _finite(scene.base, scene.direction)
+    ends = [scene.base[good] + end * scene.direction[good] for end in _ends(scene)]
+    points = np.concatenate(ends)
+    with np.errstate(over="ignore"):
+        return points[np.linalg.norm(points - _centre(scene), axis=1) < OUTLYING * _radius(scene)]
+
+
+def _distance(points: Array, to: Array, wide: float, high: float) -> float:
+    """Return how far a camera in the direction ``to`` must stand back to see the points.
+
+    ``wide`` and ``high`` are the tangents of half the angles of sight.
+    """
+    right = np.cross((0.0, 0.0, 1.0), to)
+    right /= np.linalg.norm(right)
+    beside = np.abs(points @ right) / wide
+    above = np.abs(points @ np.cross(to, right)) / high
+    return MARGIN * float(np.max(np.maximum(beside, above) + points @ to))
+
+
+def _turned(quaternion: Array, vector: Array) -> Array:
+    """Turn a vector by a unit quaternion (x, y, z, w)."""
+    axis = quaternion[:3]
+    twist: Array = np.cross(axis, vector) + quaternion[3] * vector
+    return vector + 2.0 * np.cross(axis, twist)
+
+
+# ---- picking ------------------------------------------------------------------------------------
+
+
+def _sight(picked: list[dict[str, Any]]) -> tuple[Array, Array] | None:
+    """Return the eye and the direction of a line of sight from the points it meets."""
+    if len(picked) < 2:
+        return None
+    first, *_, last = sorted(picked, key=lambda hit: hit["distance"])
+    way = np.subtract(last["point"], first["point"])
+    way /= np.linalg.norm(way)
+    return np.array(first["point"]) - first["distance"] * way, way
+
+
+def _first_hit(scene: Scene, eye: Array, way: Array) -> tuple[float, float] | None:
+    """Return (t, w) of the place of the surface that is first met, or None.
+
+    The sign of [b − eye, x, way] tells on which side of the line of sight a ruling passes; where
+    it changes from one ruling to the next, the line goes through the surface.
+    """
+    way = way / np.linalg.norm(way)
+    offset = scene.base - eye
+    with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
+        side = np.einsum("ki,i->k", np.cross(offset, scene.direction), way)
+        k = np.flatnonzero((side[:-1] < 0) != (side[1:] < 0))
+        part = (side[k] / (side[k] - side[k + 1]))[:, None]
+        q = offset[k] + part * (offset[k + 1] - offset[k])
+        x = scene.direction[k] + part * (scene.direction[k + 1] - scene.direction[k])
+        across = x - (x @ way)[:, None] * way
+        w = -np.einsum("ki,ki->k", q, across) / np.einsum("ki,ki->k", across, across)
+        depth = (q + w[:, None] * x) @ way
+        t = scene.t[k] + part[:, 0] * (scene.t[k + 1] - scene.t[k])
+    low, high = _ends(scene)
+    good = np.flatnonzero((w >= low) & (w <= high) & (depth > 0))
+    if not len(good):
+        return None
+    nearest = good[np.argmin(depth[good])]
+    return float(t[nearest]), float(w[nearest])
 
 
 # ---- the view -----------------------------------------------------------------------------------
@@ -413,7 +539,13 @@ class SurfaceView:
         self._scene: Scene | None = None
         self._scale: Scale | None = None
         self._mark: Mark | None = None
-        self._arrow = 0.3
+        self._arrow, self._period = 0.3, 0.1
+        self._overlay = Overlay()
+        self._lying: three.DataTexture | None = None  # of the overlay, once there is one
+        self._room = (64, 8, 16, 64, 64)
+        self._framed: tuple[Array, float] | None = None
+        self._unplaced = True  # whether the camera still waits for something to look at
+        self._listeners: list[Callable[[float, float], object]] = []
         self._mode: SphereMode = "inset"
         self._shown = {"surface": True, "rulings": True, "striction": True, "frame": True}
         self._make_textures()
@@ -446,7 +578,7 @@ class SurfaceView:
     def _material(self, vertex: str, fragment: str, **uniforms: Any) -> three.ShaderMaterial:
         known = {"viewport": (600.0, 430.0), "lens": (0.0, 0.0, 1.0), "globe": (0.0, 0.0, 60.0)}
         known |= {"extent": (5.0 * STEP, float(shaders.ROWS))}
-        known |= {"rulings": self._rulings, "mark": self._cursor}
+        known |= {"rulings": self._rulings, "mark": self._cursor, "overlay": self._lying}
         used = {name: value for name, value in known.items() if f" {name};" in vertex + fragment}
         return three.ShaderMaterial(
             vertexShader=vertex,
@@ -480,13 +612,18 @@ class SurfaceView:
             "controls": self._controls_material(),
             "needle": self._needle_material(),
         }
-        for name, material in self._materials.items():
+        self._set_depths(self._materials)
+
+    def _set_depths(self, materials: dict[str, three.ShaderMaterial]) -> None:
+        solid = {"striction", "mark", "image", "controls", "needle", "strokes", "dots"}
+        for name, material in materials.items():
             if name != "surface":
                 material.transparent = True
-                material.depthWrite = name in {"striction", "mark", "image", "controls", "needle"}
+                material.depthWrite = name in solid
             if name.endswith("hidden"):
                 material.depthFunc = "GreaterDepth"
-        self._materials["globe"].depthTest = False
+            if name in {"globe", "labels"}:
+                material.depthTest = False
 
     def _line(
         self, vertex: str, half: float, core: float, strength: float, pull: float, cap: float
@@ -532,6 +669,35 @@ class SurfaceView:
         colours = dict.fromkeys(("fill", "casing", "cursorColour"), "#000000")
         return self._material(shaders.NEEDLE_VERTEX, shaders.NEEDLE_FRAGMENT, **colours)
 
+    def _overlay_materials(self) -> dict[str, three.ShaderMaterial]:
+        s, black = shaders, "#000000"
+        strokes, dots = (s.STROKES_VERTEX, s.STROKES_FRAGMENT), (s.DOTS_VERTEX, s.DOTS_FRAGMENT)
+        clear = {"casing": black, "strength": 1.0}
+        faint = {"casing": black, "strength": FAINT}
+        line = {"period": 0.1, "pull": 0.004}
+        return {
+            "strokes hidden": self._material(*strokes, rim=0.0, **line, **faint),
+            "strokes": self._material(*strokes, rim=1.0, **line, **clear),
+            "dots hidden": self._material(*dots, pull=0.007, **faint),
+            "dots": self._material(*dots, pull=0.007, **clear),
+            "sheets": self._material(s.SHEETS_VERTEX, s.SHEETS_FRAGMENT, pull=0.0025),
+            "labels": self._material(s.LABELS_VERTEX, s.LABELS_FRAGMENT, pull=0.007, casing=black),
+        }
+
+    def _overlay_shapes(self) -> dict[str, three.BufferGeometry]:
+        """Return the geometries of the overlay for the numbers there is room for."""
+        points, strokes, dots, cells, letters = self._room
+        line = self._kept(("strokes", points, strokes), lambda: _two_kinds(points, strokes))
+        dot = self._kept(("controls", dots), lambda: _numbered(dots))
+        return {
+            "strokes hidden": line,
+            "strokes": line,
+            "dots hidden": dot,
+            "dots": dot,
+            "sheets": self._kept(("sheets", cells), lambda: _numbered(cells, CELL)),
+            "labels": self._kept(("labels", letters), lambda: _two_kinds(letters, letters)),
+        }
+
     def _shapes(self, count: int, controls: int) -> dict[str, three.BufferGeometry]:
         """Return the geometries that depend on the numbers of rulings and control points."""
         rows = 100 << max(0, math.ceil(math.log2(max(count, 1) / 100)))
@@ -543,16 +709,15 @@ class SurfaceView:
             "striction": curve,
             "striction hidden": curve,
             "image": curve,
-            "controls": self._kept(("controls", places), lambda: _controls(places)),
+            "controls": self._kept(("controls", places), lambda: _numbered(places)),
         }
 
     def _make_meshes(self) -> None:
         marks = _marks()
         shapes = self._shapes(5 * STEP, 8) | {"mark": marks, "mark hidden": marks}
         shapes |= {"globe": _square(), "needle": _needle()}
-        order = {name: place for place, name in enumerate(self._materials)}
         self._meshes = {
-            name: _mesh(shapes[name], material, order[name])
+            name: _mesh(shapes[name], material, DRAWN.index(name))
             for name, material in self._materials.items()
         }
         # A texture used by a ShaderMaterial does not ask for a redraw when its data change; one
@@ -608,6 +773,57 @@ class SurfaceView:
         """Mark a control point on the sphere, or none."""
         _assign(self._materials["controls"], {"chosen": -1.0 if index is None else float(index)})
 
+    def overlay(self, overlay: Overlay) -> None:
+        """Draw strokes, dots, sheets and labels into space, in place of those drawn before.
+
+        Lines and dots behind the surface shine through faintly; labels are always seen. Without a
+        scene and before `frame` the first overlay that is not empty is brought into sight.
+
+        Parameters
+        ----------
+        overlay
+            what to draw; an empty `Overlay` removes all.
+
+        Raises
+        ------
+        GeometryError
+            if it is more than a texture holds; what was drawn before stays.
+        """
+        packed = pack(overlay, self._theme)
+        self._overlay = overlay
+        if self._lying is not None or any(packed.counts):
+            self._lay(packed)
+        if self._unplaced and any(packed.counts):
+            self.reset_view()
+
+    def _lay(self, packed: Packed) -> None:
+        """Send an overlay; the first one brings its materials and meshes with it."""
+        before = self._lying
+        data = packed.texture(_fitting(packed.rows, 0 if before is None else len(before.data)))
+        self._lying = self._kept(("overlay", len(data)), lambda: _texture(data))
+        self._lying.data = data
+        rooms = zip(self._room, packed.counts, strict=True)
+        self._room = tuple(max(room, _doubled(count)) for room, count in rooms)
+        if before is None:
+            self._bring_overlay()
+        for name, shape in self._overlay_shapes().items():
+            self._meshes[name].geometry = shape
+        if self._lying is not before:
+            self._everywhere(overlay=self._lying)
+            self._wire.lightMap = self._lying
+
+    def _bring_overlay(self) -> None:
+        materials, shapes = self._overlay_materials(), self._overlay_shapes()
+        self._set_depths(materials)
+        self._materials |= materials
+        self._restyle()
+        self._everywhere(period=self._period)
+        self._meshes |= {
+            name: _mesh(shapes[name], material, DRAWN.index(name))
+            for name, material in materials.items()
+        }
+        self._space.children = [*self._meshes.values(), self._bell]
+
     def _send_mark(self) -> None:
         ends = (0.0, 0.0) if self._scene is None else _ends(self._scene)
         self._cursor.data = mark_data(self._mark, ends, self._arrow)
@@ -638,6 +854,8 @@ class SurfaceView:
         """Change all colours; the background stays transparent."""
         self._theme = theme
         self._restyle()
+        if self._lying is not None:
+            self._lay(pack(self._overlay, theme))
 
     def _restyle(self) -> None:
         theme = self._theme
@@ -701,7 +919,8 @@ class SurfaceView:
             lens, radius, x, y = (-0.48, 0.0, half / min(width, height)), 0.41 * half, 0.5, 0.0
         if self._mode == "only":
             radius, x, y = 0.42 * min(width, height), 0.0, 0.0
-        self._everywhere(viewport=(width, height), lens=lens, globe=(x, y, radius))
+        self._lens, self._globe = lens, (x, y, radius)
+        self._everywhere(viewport=(width, height), lens=lens, globe=self._globe)
 
     def resize(self, width: int, height: int) -> None:
         """Change the size of the canvas in pixels."""
@@ -710,20 +929,129 @@ class SurfaceView:
         self._place_sphere()
 
     def reset_view(self, scene: Scene | None = None) -> None:
-        """Look at the scene (or the one drawn last) from the usual side, all of it in sight."""
+        """Look at the scene (or the one drawn last) from its best side, all of it in sight.
+
+        Without a scene, look at what `frame` was given last, or else at the overlay.
+        """
         scene = scene or self._scene
-        if scene is None:
-            return
-        radius, centre = _radius(scene), _centre(scene)
-        half = math.tan(math.radians(FIELD_OF_VIEW / 2)) * min(1.0, self._camera.aspect)
-        away = radius * math.hypot(1.0, 1.0 / half)
-        self._arrow = 0.26 * radius
+        if scene is not None:
+            self._look_at(_centre(scene), _radius(scene), _azimuth(scene), _outline(scene))
+        elif self._framed is not None:
+            self._look_at(*self._framed, AZIMUTH)
+        else:
+            self._look_at(*ball(self._overlay), AZIMUTH)
+
+    def frame(self, centre: npt.ArrayLike, radius: float) -> None:
+        """Look at a ball from the usual side; for pictures without a scene.
+
+        Parameters
+        ----------
+        centre, radius
+            of the ball; `reset_view` returns to it as long as no scene is drawn.
+
+        Raises
+        ------
+        GeometryError
+            if the centre is not a point or the radius not positive.
+        """
+        middle, size = finite_array(centre, "centre"), float(finite_array(radius, "radius"))
+        if middle.shape != (3,):
+            raise GeometryError(f"`centre` must have shape (3,); got {middle.shape}")
+        if size <= 0:
+            raise GeometryError(f"`radius` must be positive; got {size:g}")
+        self._framed = middle, size
+        self._look_at(middle, size, AZIMUTH)
+
+    def _look_at(
+        self, centre: Array, radius: float, azimuth: float, outline: Array | None = None
+    ) -> None:
+        """Bring a ball into sight, and the points of the outline about it."""
+        high = math.tan(math.radians(FIELD_OF_VIEW / 2))
+        half = high * min(1.0, self._camera.aspect)
+        away, to = radius * math.hypot(1.0, 1.0 / half), _away(azimuth)
+        if outline is not None and len(outline):
+            away = max(away, _distance(outline - centre, to, high * self._camera.aspect, high))
+        self._unplaced = False
+        self._arrow, self._period = 0.26 * radius, DASH * radius
         with self._camera.hold_sync():
             self._camera.near, self._camera.far = 0.01 * away, 100.0 * away
-            self._camera.quaternion = _looking(_away())
-            self._camera.position = tuple(float(p) for p in centre + away * _away())
+            self._camera.quaternion = _looking(to)
+            self._camera.position = tuple(float(p) for p in centre + away * to)
         self._controls.target = tuple(float(p) for p in centre)
+        self._everywhere(period=self._period)
         self._send_mark()
+
+    # ---- picking
+
+    def on_pick(self, callback: Callable[[float, float], object]) -> Callable[[], None]:
+        """Call back with (t, w) of the place of the surface that was clicked or tapped.
+
+        w is measured from the scene's ``base``. A drag, a click beside the surface or on the
+        sphere, and a hidden surface call nothing.
+
+        Returns
+        -------
+        disconnect
+            ends it; a second call does nothing.
+        """
+        if len(self._renderer.controls) == 1:
+            self._bring_pickers()
+        self._listeners.append(callback)
+
+        def disconnect() -> None:
+            if callback in self._listeners:
+                self._listeners.remove(callback)
+
+        return disconnect
+
+    def _bring_pickers(self) -> None:
+        # Rulings are placed by the shader, so the page cannot say where one is hit. Of two boxes
+        # about everything it can: the two points tell the line of sight, whatever the camera did.
+        boxes = [
+            three.Mesh(
+                three.BoxBufferGeometry(*3 * (side,)), three.MeshBasicMaterial(side="DoubleSide")
+            )
+            for side in FAR_BOXES
+        ]
+        around = three.Object3D(children=boxes)
+        self._press, self._release = (
+            three.Picker(controlling=around, event=event, all=True)
+            for event in ("pointerdown", "pointerup")
+        )
+        self._release.observe(self._picked, "picked")
+        self._renderer.controls = [self._controls, self._press, self._release]
+
+    def _picked(self, change: dict[str, Any]) -> None:
+        sight, pressed = _sight(change["new"]), _sight(self._press.picked)
+        if sight is None or pressed is None:
+            return
+        self._release.picked = []  # else a second click at the same place would say nothing new
+        if not np.allclose(sight, pressed, rtol=1e-6, atol=1e-9):
+            return  # it was a drag
+        place = self._hit(*sight)
+        for listener in [*self._listeners] if place else []:
+            listener(*place)
+
+    def _hit(self, eye: Array, way: Array) -> tuple[float, float] | None:
+        """Return (t, w) where a line of sight first meets the surface that is drawn."""
+        aimed = self._aimed(way)
+        if aimed is None or self._scene is None or not self._shown["surface"]:
+            return None
+        return _first_hit(self._scene, eye, aimed)
+
+    def _aimed(self, way: Array) -> Array | None:
+        """Return the direction of sight in the picture that is shifted; None upon the sphere."""
+        turn = np.array(self._camera.quaternion)
+        high = math.tan(math.radians(FIELD_OF_VIEW / 2))
+        size = np.array([high * self._camera.aspect, high])
+        seen = _turned(turn * (-1, -1, -1, 1), way)
+        place = seen[:2] / (-seen[2] * size)
+        x, y, radius = self._globe
+        pixels = 0.5 * (place - (x, y)) * (self._renderer.width, self._renderer.height)
+        if self._mode != "off" and np.hypot(*pixels) < radius:
+            return None
+        place = (place - self._lens[:2]) / self._lens[2]
+        return _turned(turn, np.array([*place * size, -1.0]))
 
     # ---- words
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shutil
@@ -14,6 +15,7 @@ import pytest
 
 from .session import (
     ARTIFACTS,
+    OPENING,
     PLOTS,
     REQUIRE,
     STUDIO,
@@ -65,7 +67,9 @@ def opened_studio(lab: LabSession, tmp_path_factory: pytest.TempPathFactory) -> 
     notebook = lab.open_notebook(path, permissions=["clipboard-read", "clipboard-write"])
     assert notebook.run_all() == []
     space = notebook.wait_still(THREE, timeout=60)
-    return StudioPage(notebook, Pictures(space, notebook.wait_still(PLOTS)))
+    home = Pictures(space, notebook.wait_still(PLOTS))
+    opening = json.loads(notebook.kernel_exec(f"import json; print(json.dumps({OPENING}))"))
+    return StudioPage(notebook, opening, home)
 
 
 @pytest.fixture

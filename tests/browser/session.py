@@ -66,13 +66,13 @@ ERRORS = (
     '.jp-OutputArea-output[data-mime-type="application/vnd.jupyter.error"]',
 )
 
-# The nth code cell; not awaited, so that a test can go on while it runs
-RUN_CELL = """number => {
+RUN_CELL = """([number, wait]) => {
   const {content} = window.jupyterapp.shell.currentWidget;
   const code = content.widgets.flatMap((cell, i) => cell.model.type === 'code' ? [i] : []);
   content.activeCellIndex = code[number];
   content.deselectAll();
-  window.jupyterapp.commands.execute('notebook:run-cell');
+  const done = window.jupyterapp.commands.execute('notebook:run-cell');
+  return wait ? done.then(() => null) : null;
 }"""
 
 EXECUTE = f"""async code => {{
@@ -287,9 +287,7 @@ class NotebookPage:
 
     def run_cell(self, number: int, *, wait: bool = True) -> None:
         """Run one code cell again, as Shift+Enter does; without `wait` it goes on meanwhile."""
-        self.page.evaluate(RUN_CELL, number)
-        if wait:
-            self.wait_idle()
+        self.page.evaluate(RUN_CELL, [number, wait])
 
     @property
     def busy(self) -> bool:
@@ -583,6 +581,8 @@ s = studio()
 s
 """
 
+OPENING = "[s.lab.design == example('example_2'), s.lab.can_undo, float(s.lab.result.pitch.dual)]"
+
 # Back to the start, whatever a test has left; first another design, so that everything is drawn
 RESET = """\
 s.lab.load(example("cone"), "test")
@@ -606,7 +606,8 @@ class StudioPage:
     """A studio in an open notebook, called ``s`` in its kernel, and a reader's hands on it."""
 
     notebook: NotebookPage
-    home: Pictures  # Example 2 as it comes
+    opening: list[Any]  # what OPENING said when everything had been drawn for the first time
+    home: Pictures  # Example 2 as it comes; the axes of the plots may keep wider limits
 
     @property
     def page(self) -> Page:
@@ -629,7 +630,7 @@ class StudioPage:
         """Return to Example 2 and wait until it is on the screen."""
         self.kernel(RESET)
         self.notebook.wait_same(self.home.space, THREE)
-        self.notebook.wait_still(PLOTS)
+        self.home = Pictures(self.home.space, self.notebook.wait_still(PLOTS))
 
     def control(self, role: Any, name: str) -> Locator:
         """A control by the name that a screen reader says; `name` need only be a part of it."""

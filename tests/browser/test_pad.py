@@ -69,7 +69,7 @@ def test_a_dragged_point_takes_curve_surface_and_plots_along(in_sight: StudioPag
     assert new_v > v + 0.03
     studio.button("undo").click()  # the whole drag is one step
     studio.wait_kernel("s.lab.design == example('example_2')", "True")
-    studio.wait_back(old)
+    studio.notebook.wait_same(old.space)
 
 
 def test_a_drag_at_the_seam_keeps_the_closing(in_sight: StudioPage) -> None:

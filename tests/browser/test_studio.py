@@ -6,11 +6,12 @@ import json
 import math
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterator
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 
 from .session import (
+    KERNEL,
     PLOTS,
     THREE,
     LabSession,
@@ -20,17 +21,19 @@ from .session import (
     write_notebook,
 )
 
+if TYPE_CHECKING:
+    from playwright.sync_api import Locator
+
 EXAMPLE_2 = "s.lab.design == example('example_2')"
 
 
 def test_opening_leaves_every_number_as_it_was(opened_studio: StudioPage) -> None:
     """No slider sends its rounded value back."""
-    studio = opened_studio
-    assert studio.kernel(EXAMPLE_2) == "True"
-    assert studio.kernel("s.lab.can_undo") == "False"
-    pitch = float(studio.kernel("s.lab.result.pitch.dual"))
+    design_is_same, can_undo, pitch = opened_studio.opening
+    assert design_is_same is True
+    assert can_undo is False
     assert pitch == pytest.approx(0.580104765135371, abs=1e-14)
-    assert min(studio.home.space.drawn, studio.home.plots.drawn) > 2000
+    assert min(opened_studio.home.space.drawn, opened_studio.home.plots.drawn) > 2000
 
 
 # ------------------------------------------------------------------------------------- numbers
@@ -83,9 +86,9 @@ def test_a_slider_of_the_drawing(studio: StudioPage) -> None:
 # ------------------------------------------------------------------------------------ formulas
 
 
-def beside(studio: StudioPage, field: object) -> str:
+def beside(studio: StudioPage, field: Locator) -> str:
     """Wait for the message in the block a field stands in; return it."""
-    block = field.locator("xpath=ancestor::*[contains(@class, 'widget-vbox')][1]")  # type: ignore[attr-defined]
+    block = field.locator("xpath=ancestor::*[contains(@class, 'widget-vbox')][1]")
     message = block.get_by_role("alert")
     message.wait_for()
     return str(message.inner_text()).strip()
@@ -111,7 +114,8 @@ def test_a_typed_formula(studio: StudioPage) -> None:
 def test_a_bad_formula_changes_nothing(studio: StudioPage, text: str) -> None:
     field = studio.control("textbox", "v̄(u, v)")
     studio.notebook.type_into(field, text)
-    assert studio.alerts() == [beside(studio, field)]
+    message = beside(studio, field)
+    assert studio.alerts() == [message]
     assert studio.kernel(EXAMPLE_2) == "True"
     assert studio.stays(studio.home)
     studio.notebook.type_into(field, "v")
@@ -182,8 +186,9 @@ def test_play_moves_the_cursor_and_pauses(studio: StudioPage) -> None:
     assert studio.notebook.pixels(THREE) != studio.home.space
     assert studio.notebook.pixels(PLOTS) != studio.home.plots
     play.click()
-    paused = studio.wait_new(studio.home)
-    cursor = float(studio.kernel("s.lab.cursor"))
+    paused, cursor = studio.look(), float(studio.kernel("s.lab.cursor"))
+    while (again := studio.look()) != paused:  # what is under way arrives
+        paused, cursor = again, float(studio.kernel("s.lab.cursor"))
     assert 0.03 < cursor < 1
     assert studio.stays(paused)
     assert float(studio.kernel("s.lab.cursor")) == cursor
@@ -224,13 +229,14 @@ def test_the_gallery(studio: StudioPage) -> None:
     menu.select_option("Möbius band")
     studio.wait_kernel("s.lab.design == example('moebius')", "True")
     studio.wait_kernel("s.lab.result.pitch is None", "True")
-    studio.page.wait_for_function(
-        "() => !/\\d/.test(document.querySelector('.ruledlab-numbers').innerText)"
-    )
+    values = numbers.locator("td:nth-child(2)")
+    values.get_by_text("–").first.wait_for()
+    assert not any(map(str.isdigit, "".join(values.all_inner_texts())))
 
 
 def test_colour_by_curvature(studio: StudioPage) -> None:
-    colour, legend = studio.control("combobox", "colour"), studio.page.get_by_text("Gauss curv")
+    colour = studio.control("combobox", "colour")
+    legend = studio.page.locator(".ruledlab-head").get_by_text("Gauss curvature")
     colour.select_option("K")
     by_gauss = studio.notebook.wait_change(studio.home.space)
     legend.wait_for()
@@ -442,9 +448,9 @@ def window(studio: StudioPage, lab: LabSession) -> Iterator[StudioPage]:
 def test_nothing_sticks_out(window: StudioPage, width: int) -> None:
     studio = window
     studio.notebook.resize(width, 2400)
-    studio.page.wait_for_function(
-        f"() => {{ const room = document.querySelector('.ruledlab').clientWidth; return room {'<' if width < 1000 else '>'} 600 }}"
-    )
+    wide = str(width > 1000).lower()
+    room = f"() => (document.querySelector('.ruledlab').clientWidth > 600) === {wide}"
+    studio.page.wait_for_function(room)
     studio.notebook.wait_still(PLOTS)
     for fold in ("Drawing", "Save, open, share", "In words"):
         studio.unfold(fold)
@@ -465,3 +471,87 @@ def test_the_dark_theme_and_back(window: StudioPage) -> None:
     studio.notebook.screenshot("studio-dark")
     studio.notebook.dark(False)
     studio.wait_back(light)
+
+
+# -------------------------------------------------------------------------- several in a notebook
+
+INSTANCES = "import ipywidgets; print(len(ipywidgets.widget._instances), end='')"
+
+
+@pytest.fixture(scope="module")
+def two(lab: LabSession, tmp_path_factory: pytest.TempPathFactory) -> Iterator[NotebookPage]:
+    path = tmp_path_factory.mktemp("two") / "two.ipynb"
+    cells = (
+        "import time\nfrom ruledlab.lab import example, studio",
+        "first = studio()\nfirst",
+        "second = studio(example('hyperboloid'))\nsecond",
+        "end = time.monotonic() + 60",
+        "while first.lab.cursor < 1 and time.monotonic() < end: time.sleep(0.02)",
+    )
+    with lab.notebook(write_notebook(path, *cells)) as page:
+        page.wait_idle()
+        for number in range(4):
+            page.run_cell(number)
+        assert page.errors() == []
+        for nth in range(2):
+            page.locator(THREE, nth).scroll_into_view_if_needed()
+            page.wait_still(THREE, nth, timeout=60)
+        yield page
+        assert page.errors() == []
+        assert page.console_errors == []
+
+
+def slider(page: NotebookPage, nth: int) -> Locator:
+    return page.page.get_by_role("slider", name="u, longitude").nth(nth)
+
+
+def test_two_labs_do_not_disturb_each_other(two: NotebookPage) -> None:
+    two.locator(PLOTS).scroll_into_view_if_needed()
+    pictures = [two.wait_still(kind, nth) for nth in range(2) for kind in (THREE, PLOTS)]
+    two.press(slider(two, 0), "ArrowRight")
+    two.wait_change(pictures[0], THREE, 0)
+    two.wait_change(pictures[1], PLOTS, 0)
+    assert two.stays(pictures[2], THREE, 1, over=0.2)
+    assert two.stays(pictures[3], PLOTS, 1, over=0.2)
+    assert two.kernel_exec("second.lab.design == example('hyperboloid')") == "True"
+    changed = two.pixels(THREE, 0)
+    two.press(slider(two, 1), "ArrowRight")
+    two.wait_change(pictures[2], THREE, 1)
+    assert two.stays(changed, THREE, 0, over=0.2)
+
+
+def test_sliders_move_while_a_cell_runs(two: NotebookPage) -> None:
+    two.locator(PLOTS).scroll_into_view_if_needed()
+    old = [two.wait_still(THREE), two.wait_still(PLOTS)]
+    before = float(two.kernel_exec("first.lab.design.points[0][0]"))
+    two.run_cell(4, wait=False)
+    two.page.wait_for_function(f"() => {KERNEL}.status === 'busy'")
+    two.press(slider(two, 0), "ArrowRight", 7)
+    two.wait_change(old[0], THREE)
+    two.wait_change(old[1], PLOTS)
+    assert two.busy  # the cell still runs, and the pictures have moved on
+    two.page.get_by_role("slider", name="cursor t").first.press("End")  # what the cell waits for
+    two.wait_idle()
+    assert two.kernel_exec("time.monotonic() < end") == "True"
+    goal = f"{before + 0.07:.6f}"
+    two.wait_kernel("f'{first.lab.design.points[0][0]:.6f}'", repr(goal))  # no step was lost
+
+
+def test_running_the_cell_again_leaves_nothing_behind(two: NotebookPage) -> None:
+    def again() -> tuple[str, int, int]:
+        two.kernel_exec("old = first")
+        two.run_cell(1)
+        two.wait_kernel("first is old", "False")
+        two.page.wait_for_function("() => document.querySelectorAll('.ruledlab').length === 2")
+        two.wait_still(THREE, 0, timeout=60)
+        two.wait_still(PLOTS, 0)
+        counts = (two.page.locator(kind).count() for kind in (THREE, PLOTS))
+        return (two.kernel_exec(INSTANCES), *counts)
+
+    first, second = again(), again()
+    assert second == first
+    assert first[1:] == (2, 2)
+    assert two.kernel_exec("print(old.comm is None, end='')") == "True"
+    picture = two.wait_still(THREE, 0)
+    two.press(slider(two, 0), "ArrowRight")
+    two.wait_change(picture, THREE, 0)

@@ -145,7 +145,7 @@ class Store:
                 data = file.read(LARGEST + 1)
         except FileNotFoundError:
             return {}
-        content = _parsed(data)
+        content: dict[str, Any] = _parsed(data)
         if not _is_ours(content):
             raise _Damaged
         return content

@@ -14,14 +14,14 @@ import numpy as np
 from ..design import Design
 from .answers import read_numbers
 from .core import UNREAD, Task, Verdict, find
-from .progress import Store, the_store
+from .store import Store, the_store
 
 __all__ = ["HEADS", "STYLE", "Checked", "check", "keep", "kept", "seed", "verdict_html"]
 
 _STATIC: Final = pathlib.Path(__file__).parent / "static"
 STYLE: Final = (_STATIC / "verdict.css").read_text(encoding="utf-8")
 
-HEADS = {"right": "Right.", "wrong": "Not yet.", "unread": "I cannot read this."}
+HEADS = {"right": "Right.", "wrong": "Not yet.", "unread": ""}
 """What a verdict begins with."""
 
 
@@ -50,7 +50,7 @@ class Checked:
 
     def __repr__(self) -> str:
         text = html.unescape(re.sub(r"<[^>]+>", " ", self.verdict.word))
-        return f"{self.key}: {HEADS[self.verdict.state]} {' '.join(text.split())}".rstrip()
+        return " ".join(f"{self.key}: {HEADS[self.verdict.state]} {text}".split())
 
     def _repr_html_(self) -> str:
         return f"<style>{STYLE}</style>{verdict_html(self.verdict, self.key)}"
@@ -129,7 +129,7 @@ def _floats(answer: Any) -> Any:
 def verdict_html(verdict: Verdict, lead: str = "") -> str:
     """Return a verdict as HTML, spoken by screen readers when it appears."""
     role = "alert" if verdict.state == UNREAD else "status"
-    head = HEADS[verdict.state]
+    head = f"<b>{HEADS[verdict.state]}</b> " if HEADS[verdict.state] else ""
     number = f'<span class="ruledlab-number">{html.escape(lead)}</span> ' if lead else ""
     slip = (
         f'<span class="ruledlab-slip">{html.escape(verdict.slip)}</span> ' if verdict.slip else ""
@@ -137,5 +137,5 @@ def verdict_html(verdict: Verdict, lead: str = "") -> str:
     pointer = f"<pre>{html.escape(verdict.pointer)}</pre>" if verdict.pointer else ""
     return (
         f'<div class="ruledlab-verdict is-{verdict.state}" role="{role}">{number}'
-        f"<b>{head}</b> {slip}{verdict.word}{pointer}</div>"
+        f"{head}{slip}{verdict.word}{pointer}</div>"
     )
