@@ -54,10 +54,13 @@ def draw_surface(u, v):
     })
     material = three.MeshStandardMaterial(color="#5b8fc9", side="DoubleSide")
     lamp = three.DirectionalLight(position=[3, 5, 4], intensity=0.8)
-    camera = three.PerspectiveCamera(position=[5, 4, 5], aspect=620 / 400, children=[lamp])
-    scene = three.Scene(children=[three.Mesh(geometry, material), camera, three.AmbientLight()])
-    display(three.Renderer(scene=scene, camera=camera, width=620, height=400,
-                           controls=[three.OrbitControls(controlling=camera)]))
+    camera = three.PerspectiveCamera(
+        position=[2.5, 2, 2.5], aspect=620 / 400, children=[lamp])
+    mesh = three.Mesh(geometry, material, position=list(-positions.mean(axis=0)))
+    scene = three.Scene(children=[mesh, camera, three.AmbientLight()])
+    controls = three.OrbitControls(controlling=camera)
+    display(three.Renderer(
+        scene=scene, camera=camera, controls=[controls], width=620, height=400))
 """
 
 _SHOW = """\

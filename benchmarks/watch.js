@@ -17,14 +17,11 @@
     watch.drawn.push([performance.now(), kind]);
   };
 
-  // A few rows across the middle are enough to notice a change, and cheap to read.
-  const ROWS = 24;
   function readSurface(gl) {
     if (gl.isContextLost() || gl.getParameter(gl.FRAMEBUFFER_BINDING)) return;
-    const width = gl.drawingBufferWidth;
-    const pixels = new Uint8Array(4 * width * ROWS);
-    const y = Math.floor((gl.drawingBufferHeight - ROWS) / 2);
-    gl.readPixels(0, y, width, ROWS, gl.RGBA, gl.UNSIGNED_BYTE, pixels); // waits for the drawing
+    const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
+    const pixels = new Uint8Array(4 * width * height);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels); // waits for the drawing
     note("surface", document.body, hash(new Uint32Array(pixels.buffer)));
   }
   const copy = new OffscreenCanvas(300, 150).getContext("2d", { willReadFrequently: true });

@@ -136,6 +136,15 @@ def test_nonsense_is_said_at_once_and_not_kept(store: Store) -> None:
     card.close()
 
 
+@ALL
+def test_opening_an_exercise_is_no_answer(made: Exercise, store: Store) -> None:
+    card = exercise(made.key, store=store)
+    assert "Not yet." not in shown(card)
+    card.close()
+    assert store.keys() == ()
+    assert not store.path.exists()
+
+
 def test_nothing_chosen_is_said(store: Store) -> None:
     card = exercise("06.1", store=store)
     say(fronts(card)[0], chosen=None)
@@ -165,6 +174,8 @@ def test_a_design_that_is_being_worked_on_is_kept(store: Store) -> None:
     card.close()  # before the pause is over
     again = exercise("06.8", store=Store(store.path))
     assert again.box.lab.design == moved
+    assert "off by" in shown(again)
+    assert "Not yet." not in shown(again)
     assert store.record("06.8")["right"] is False
     again.close()
 

@@ -314,9 +314,10 @@ class DragBox(Box):
         self._conditions = maths("", "ruledlab-conditions")
         self._parts: list[Any] = [] if self._given else self._own_parts()
         self.widget.children = [self._conditions, *(part for part, _ in self._parts)]
+        self._quiet = True  # opening it is no answer
+        self._update(Change(scene=True))
         self._quiet = False
         group.follow(self.lab, self._update)
-        self._update(Change(scene=True))
 
     def _own_parts(self) -> list[tuple[Any, Callable[[], None]]]:
         figure = chart(self.lab)

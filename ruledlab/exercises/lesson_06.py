@@ -304,8 +304,8 @@ def pitch(draw: Draw) -> Drag:
         return (Condition(text, abs(now - target), 0.02, "length", f"now $l={now:.3f}$"),)
 
     return Drag(
-        question=f"Drag the control points of this closed design until its pitch is $l={target:g}$ "
-        r"(to $\pm0.02$), with $\bar u=u-v$, $\bar v=u+v$ kept.",
+        question=f"Drag the points of this closed design until its pitch is $l={target:g}$. "
+        r"$0.02$ more or less will do. $\bar u=u-v$ and $\bar v=u+v$ stay.",
         start=EXAMPLE_2,
         model=_with_pitch(target),
         conditions=conditions,

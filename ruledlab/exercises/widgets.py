@@ -154,7 +154,9 @@ class Card(w.VBox):  # type: ignore[misc]
         if is_open(answer):
             return
         self.box.show(answer)
-        self._say(self.task.judge(answer))
+        verdict = self.task.judge(answer)
+        working = isinstance(self.box, DragBox) and not verdict.right and not verdict.slip
+        self._say(None if working else verdict)  # the conditions say how far off a design is
 
     # -- what the reader does --------------------------------------------------------------------
 

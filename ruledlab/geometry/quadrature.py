@@ -13,7 +13,7 @@ __all__ = ["integrate", "sign_changes"]
 
 ACCURACY = 1e-13
 PANELS = 16
-SUBDIVISIONS = 200
+SUBDIVISIONS = 60
 HALVINGS = 52
 
 

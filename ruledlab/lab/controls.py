@@ -414,6 +414,7 @@ class FieldControl(Group):
     def __init__(self, lab: Lab) -> None:
         super().__init__()
         self._lab = lab
+        self._waiting: dict[str, str] = {}
         self.pair = w.Dropdown(
             options=[("named choices …", "")] + [(choice.title, choice.key) for choice in CHOICES],
             layout=w.Layout(width="auto", flex="1 1 120px"),
@@ -464,8 +465,10 @@ class FieldControl(Group):
             if choice.key == key:
                 self._lab.edit("pair", ubar=choice.ubar, vbar=choice.vbar)
 
-    def _say(self, name: str, text: str | None, pointer: str = "") -> None:
-        self.put(self.rows[name][2], value=error_html(text, pointer) if text else "")
+    def _say(self, name: str, text: str, pointer: str = "") -> None:
+        """Show what is wrong with a formula, which stays in its field to be mended."""
+        self._waiting[name] = getattr(self._lab.design, name)
+        self.put(self.rows[name][2], value=error_html(text, pointer))
 
     def update(self, change: Change) -> None:
         """Follow the lab."""
@@ -474,14 +477,17 @@ class FieldControl(Group):
                 self._say(change.source, plain(change.error))
             return
         if change.scene or change.source in (*self.rows, "pair"):
-            self._show()
+            self._show(change.source)
 
-    def _show(self) -> None:
+    def _show(self, source: str) -> None:
         design = self._lab.design
-        for name, (typed, menu, _, _) in self.rows.items():
-            self.put(typed, value=getattr(design, name))
+        for name, (typed, menu, error, _) in self.rows.items():
+            formula = getattr(design, name)
+            if self._waiting.get(name) != formula or source in (name, "pair"):
+                self._waiting.pop(name, None)
+                self.put(typed, value=formula)
+                self.put(error, value="")
             self.put(menu, value="")
-            self._say(name, None)
         ubar, vbar = (field(getattr(design, name)).latex for name in self.rows)
         self.put(self.typeset, value=rf"$\bar u = {ubar},\qquad \bar v = {vbar}$")
         named = next((c for c in CHOICES if (c.ubar, c.vbar) == (design.ubar, design.vbar)), None)

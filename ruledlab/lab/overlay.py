@@ -35,7 +35,7 @@ from typing import Any
 
 import numpy as np
 
-from ..geometry.checks import Array, GeometryError, frozen
+from ..geometry.checks import Array, GeometryError, finite_array, frozen
 from .glyphs import lettering
 from .palette import Theme
 from .shaders import INK_PLACES, INK_START, INK_STEP
@@ -80,7 +80,7 @@ def _checked_colour(colour: Any) -> None:
 
 
 def _checked_size(value: float, name: str) -> None:
-    if not (np.isfinite(value) and value > 0):
+    if finite_array(value, name) <= 0:
         raise GeometryError(f"`{name}` must be a positive number of pixels; got {value!r}")
 
 
@@ -147,7 +147,7 @@ class Sheet:
             raise GeometryError(f"`points` must have shape {said}; got {points.shape}")
         object.__setattr__(self, "points", points)
         _checked_colour(self.colour)
-        if not 0.0 <= self.opacity <= 1.0:
+        if not 0.0 <= finite_array(self.opacity, "opacity") <= 1.0:
             raise GeometryError(f"`opacity` must lie between 0 and 1; got {self.opacity!r}")
 
 

@@ -289,10 +289,17 @@ class NotebookPage:
         """Run one code cell again, as Shift+Enter does; without `wait` it goes on meanwhile."""
         self.page.evaluate(RUN_CELL, [number, wait])
 
-    @property
-    def busy(self) -> bool:
-        """Whether a cell is running."""
-        return self.page.evaluate(f"() => {KERNEL}.status") == "busy"
+    def running(self, number: int) -> bool:
+        """Whether a code cell is running; the kernel's status tells of widgets' messages, too."""
+        prompt = self.page.locator(".jp-CodeCell .jp-InputPrompt").nth(number)
+        return "*" in prompt.inner_text()
+
+    def wait_cell(self, number: int, timeout: float = 60) -> None:
+        """Wait until a code cell has run."""
+        end = time.monotonic() + timeout
+        while self.running(number):
+            assert time.monotonic() < end, f"cell {number} still runs after {timeout} s"
+            self.page.wait_for_timeout(50)
 
     def errors(self) -> list[str]:
         """Every error and every line of stderr the notebook shows now."""
