@@ -22,7 +22,7 @@ LAYERS: tuple[frozenset[str], ...] = tuple(
         "geometry.dual",
         "geometry.jet geometry.line",
         "geometry.curve geometry.bspline geometry.field",
-        "geometry.closed",
+        "geometry.closed geometry.source",
         "geometry.surface",
         "geometry.rebuild",
         "geometry.gallery",

@@ -9,42 +9,23 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import closed
-from .checks import CYLINDRICAL, POLE, Array, GeometryError, finite_array, frozen
+from .checks import CYLINDRICAL, Array, GeometryError, finite_array, frozen
 from .dual import Dual
 from .field import Field, field
-from .jet import FLAGS, QUANTITIES, Jet, cross, dot, measure, striction, study
-from .line import Line
-from .series import Series
+from .jet import FLAGS, QUANTITIES, Jet, cross, dot, measure, striction
+from .line import CommonPerpendicular, Line, common_perpendicular
+from .source import BaseSource, ChartSource, Curve, Formulas, LineSource, Source
 
 __all__ = ["Curvature", "Curve", "FundamentalForms", "Invariants", "RuledSurface", "Undefined"]
 
 BLOCK = 4096
 """Values of t that are worked on at once: few enough to stay in the processor's cache."""
-
-
-class Curve(Protocol):
-    """A curve in the chart, such as `Bezier`."""
-
-    @property
-    def domain(self) -> tuple[float, float]:
-        """First and last t."""
-
-    @property
-    def batch_shape(self) -> tuple[int, ...]:
-        """Shape of a batch of curves, () for one."""
-
-    @property
-    def scale(self) -> Any:
-        """An ordinary size of the curve's speed, of the batch's shape."""
-
-    def series(self, t: Array, order: int) -> Series:
-        """Return u and v at t, with values of shape (2, *batch, *t.shape)."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -98,7 +79,7 @@ class Invariants:
     kappa_prime: Array
     kappa_bar_prime: Array
     _flags: npt.NDArray[np.bool_]
-    _dual_part: str
+    _source: Source
 
     @property
     def undefined(self) -> tuple[Undefined, ...]:
@@ -110,8 +91,7 @@ class Invariants:
             Undefined(
                 QUANTITIES,
                 pole,
-                "the curve meets a pole of the chart (sin v = 0), where u names no direction and "
-                "ū, v̄ belong to no one line; move the curve off the pole",
+                self._source.singular,
             ),
             Undefined(
                 QUANTITIES[1:],
@@ -128,7 +108,7 @@ class Invariants:
             Undefined(
                 ("kappa_bar", "tau_bar", "sigma", "delta", "kappa_bar_prime"),
                 domain,
-                f"{self._dual_part}: outside the domain of the formula, or not finite",
+                f"{self._source.origin}: outside the domain of the formula, or not finite",
             ),
         )
         return tuple(report for report in reports if report.where.any())
@@ -210,7 +190,9 @@ class RuledSurface:
     1.0
     """
 
-    __slots__ = ("_curve", "_ubar", "_vbar")
+    __slots__ = ("_source",)
+
+    _source: Source
 
     def __init__(self, curve: Curve, ubar: Any, vbar: Any) -> None:
         if not hasattr(curve, "series"):
@@ -218,43 +200,117 @@ class RuledSurface:
                 f"`curve` must be a curve such as Bezier(points); got {type(curve).__name__}; "
                 "wrap control points as Bezier(points)"
             )
-        self._curve = curve
-        self._ubar = field(ubar, "ubar")
-        self._vbar = field(vbar, "vbar")
+        self._source = ChartSource(curve, field(ubar, "ubar"), field(vbar, "vbar"))
+
+    @classmethod
+    def from_source(cls, source: Source) -> RuledSurface:
+        """Return the surface of anything that yields a `Jet` over a domain."""
+        surface = cls.__new__(cls)
+        surface._source = source
+        return surface
+
+    @classmethod
+    def from_base(
+        cls, base: Formulas, direction: Formulas, domain: tuple[float, float] = (0.0, 1.0)
+    ) -> RuledSurface:
+        """Return the surface r(t, w) = c(t) + w d(t) of a base curve and a generator (paper, (1)).
+
+        Parameters
+        ----------
+        base, direction
+            functions of t that return three components made with numpy's functions, such as
+            ``lambda t: (np.cos(t), np.sin(t), 0)``. t comes as a `Series`, which carries the
+            derivatives. The direction may have any length but 0; it is normalised.
+        domain
+            first and last t.
+
+        Raises
+        ------
+        GeometryError
+            where a function cannot be evaluated on a `Series`, does not return three components,
+            or gives no direction at all. Single places where the direction is 0 are NaN.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from ruledlab import RuledSurface
+        >>> helicoid = RuledSurface.from_base(
+        ...     lambda t: (0, 0, 2 * t), lambda t: (np.cos(t), np.sin(t), 0), domain=(0, 6)
+        ... )
+        >>> float(helicoid.invariants(0.25).delta)
+        2.0
+        """
+        return cls.from_source(BaseSource(base, direction, domain))
+
+    @classmethod
+    def from_lines(cls, lines: Formulas, domain: tuple[float, float] = (0.0, 1.0)) -> RuledSurface:
+        """Return the surface of a curve X(t) on the dual unit sphere (paper, §2.1).
+
+        Parameters
+        ----------
+        lines
+            a function of t (a `Series`) that returns a dual vector: three components, each a
+            `Dual`, a `Series` or a number, or one `Dual` whose parts have a last axis of 3. It is
+            normalised to a dual unit vector, so any with a real part ≠ 0 will do.
+        domain
+            first and last t.
+
+        Raises
+        ------
+        GeometryError
+            as for `from_base`.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from ruledlab import Dual, RuledSurface
+        >>> helicoid = RuledSurface.from_lines(
+        ...     lambda t: (np.cos(Dual(t, 2 * t)), np.sin(Dual(t, 2 * t)), 0), domain=(0, 6)
+        ... )
+        >>> float(helicoid.invariants(0.25).delta)
+        2.0
+        """
+        return cls.from_source(LineSource(lines, domain))
+
+    @property
+    def source(self) -> Source:
+        """Where the lines come from."""
+        return self._source
 
     @property
     def curve(self) -> Curve:
-        """The curve (u(t), v(t))."""
-        return self._curve
+        """The curve (u(t), v(t)) of a surface from the chart."""
+        return self._chart("curve").curve
 
     @property
     def ubar(self) -> Field:
-        """The choice of ū."""
-        return self._ubar
+        """The choice of ū of a surface from the chart."""
+        return self._chart("ubar").ubar
 
     @property
     def vbar(self) -> Field:
-        """The choice of v̄."""
-        return self._vbar
+        """The choice of v̄ of a surface from the chart."""
+        return self._chart("vbar").vbar
+
+    def _chart(self, name: str) -> ChartSource:
+        if isinstance(self._source, ChartSource):
+            return self._source
+        raise GeometryError(
+            f"`{name}` must be asked of a surface from the chart; this one is made from "
+            f"{self._source!r}; build it as RuledSurface(curve, ubar, vbar)"
+        )
 
     @property
     def domain(self) -> tuple[float, float]:
-        """First and last t of the curve."""
-        return self._curve.domain
+        """First and last t."""
+        return self._source.domain
 
     def __repr__(self) -> str:
-        return f"RuledSurface({self._curve!r}, ubar={self._ubar!r}, vbar={self._vbar!r})"
+        return f"RuledSurface({self._source!r})"
 
     def jet(self, t: Array, order: int = 2) -> Jet:
         """Return X and its derivatives by t, vectors along the third axis: see `Jet`."""
-        t = np.asarray(t, dtype=np.float64)
-        with np.errstate(all="ignore"):
-            angles = self._curve.series(t, order)
-            u, v = angles[0], angles[1]
-            rows = study(angles, self._ubar(u, v), self._vbar(u, v))
-            pole = np.abs(np.sin(v.value)) <= POLE
-        scale = np.reshape(self._curve.scale, self._curve.batch_shape + (1,) * t.ndim)
-        return Jet(rows, scale, pole)
+        return self._source.jet(t, order)
 
     # -- local quantities ------------------------------------------------------------------------
 
@@ -264,11 +320,10 @@ class RuledSurface:
         values, flags = self._measured(t)
         values.flags.writeable = False
         named = dict(zip(QUANTITIES, values, strict=True))
-        ubar, vbar = (chosen.text or "a Python function" for chosen in (self._ubar, self._vbar))
-        return Invariants(frozen(t), **named, _flags=flags, _dual_part=f"ū = {ubar}, v̄ = {vbar}")
+        return Invariants(frozen(t), **named, _flags=flags, _source=self._source)
 
     def _measured(self, t: Array) -> tuple[Array, npt.NDArray[np.bool_]]:
-        flat, batch, block = t.reshape(-1), self._curve.batch_shape, self._block
+        flat, batch, block = t.reshape(-1), self._source.batch_shape, self._block
         with np.errstate(all="ignore"):
             if flat.size <= block:
                 values, flags = measure(self.jet(flat))
@@ -284,7 +339,7 @@ class RuledSurface:
     @property
     def _block(self) -> int:
         """How many values of t to work on at once, over the whole batch."""
-        return max(1, BLOCK // max(1, math.prod(self._curve.batch_shape)))
+        return max(1, BLOCK // max(1, math.prod(self._source.batch_shape)))
 
     def _mapped(self, t: npt.ArrayLike, order: int, function: Callable[[Jet], Array]) -> Array:
         """Return what the function makes of the jet at t, (…, *batch, *t.shape), block by block."""
@@ -324,6 +379,29 @@ class RuledSurface:
         x₂ and x₃ are NaN where κ = 0. The three lines X₁, X₂, X₃ meet in the striction point.
         """
         return np.moveaxis(self._mapped(t, 1, _frame), (0, 1), (-2, -1))
+
+    def neighbours(self, t: npt.ArrayLike, h: npt.ArrayLike) -> CommonPerpendicular:
+        """Return the common perpendicular of the rulings X(t) and X(t + h).
+
+        As h → 0 both feet tend to the striction point (paper, §2.2), the line to X₃, and for
+        h > 0 the dual angle, divided by h, to κ̂: the angle's part to κ, the distance's to κ̄.
+
+        Parameters
+        ----------
+        t, h
+            numbers or arrays that broadcast; t + h may lie beyond the domain if the formulas or
+            the curve go on there. Rounding adds about 1e-16/h to the distance, so h = 1e-3 is a
+            good picture and h = 1e-12 is noise.
+        """
+        first, step = np.broadcast_arrays(finite_array(t, "t"), finite_array(h, "h"))
+        return common_perpendicular(self.line(first), self.line(first + step))
+
+    def neighbour_distance(self, t: npt.ArrayLike, h: npt.ArrayLike) -> Array:
+        """Return the signed shortest distance of the rulings X(t) and X(t + h): see `neighbours`.
+
+        It is positive where X(t + h) lies ahead along x × x(t + h); for small h > 0 it is κ̄ h.
+        """
+        return self.neighbours(t, h).distance
 
     # -- the patch -------------------------------------------------------------------------------
 
@@ -403,10 +481,10 @@ class RuledSurface:
         return closed.arc_lengths(self._one("arc_lengths"))
 
     def _one(self, method: str) -> RuledSurface:
-        if self._curve.batch_shape:
+        if self._source.batch_shape:
             raise GeometryError(
                 f"`{method}` must be asked of one surface; got a batch of shape "
-                f"{self._curve.batch_shape}; build each from its own curve"
+                f"{self._source.batch_shape}; build each from its own curve"
             )
         return self
 
