@@ -573,6 +573,12 @@ def test_rulings_that_are_undefined_are_not_hit():
     )
 
 
+def test_what_lies_behind_the_eye_is_not_hit():
+    eye, way = np.array([6.0, 0.5, 0.2]), np.array([1.0, 0.0, 0.0])
+    assert v3._first_hit(hyperboloid(), eye, -way) is not None
+    assert v3._first_hit(hyperboloid(), eye, way) is None
+
+
 def hits(eye, goal) -> list[dict[str, object]]:
     """Return what the page reports: where a line of sight meets the two far boxes."""
     eye, way = np.array(eye), (np.array(goal) - eye) / np.linalg.norm(np.array(goal) - eye)

@@ -1,4 +1,4 @@
-"""Surfaces from a base curve and from dual lines: against the chart, classical facts, and limits."""
+"""Surfaces from a base curve and from dual lines: against the chart, known facts and limits."""
 
 from __future__ import annotations
 
@@ -147,7 +147,8 @@ def test_hyperboloid_of_one_sheet():
     surface = RuledSurface.from_base(hyperboloid_base, hyperboloid_direction, (0, 2 * math.pi))
     inv = surface.invariants(T)
     agree(inv.kappa, np.full(3, math.sqrt(0.5)))
-    agree(inv.delta, np.full(3, 1.0))
+    # δ = det(c′, d, d′)‖d‖²/‖d × d′‖², by hand.
+    agree(inv.delta, np.full(3, -1.0))
     agree(surface.striction(T), np.column_stack([np.cos(T), np.sin(T), 0 * T]))
     x, y, z = np.moveaxis(surface.points(T, [-1.0, 0.5, 2.0]), -1, 0)
     agree(x**2 + y**2 - z**2, np.ones((3, 3)))
@@ -182,7 +183,7 @@ def test_hyperbolic_paraboloid_lies_in_its_equation():
     surface = RuledSurface.from_base(lambda t: (t, 0, 0), lambda t: (0, 1, t), (-1, 1))
     x, y, z = np.moveaxis(surface.points(T, [-2.0, 0.0, 1.0]), -1, 0)
     agree(z, x * y)
-    agree(surface.invariants(T).delta, 1 + T**2)  # δ = det(c′, d, d′)/‖d′ ⊥ d‖² for d = (0, 1, t)
+    agree(surface.invariants(T).delta, 1 + T**2)
 
 
 # -- striction by neighbouring rulings -------------------------------------------------------------
@@ -196,7 +197,8 @@ def test_neighbours_come_nearest_at_the_striction_point(h):
     near = surface.neighbours(T, h)
     inv, frame = surface.invariants(T), surface.frame(T)
     agree(near.foot_a, surface.striction(T), 3e-2)
-    agree(near.distance / abs(h), math.copysign(1, h) * np.sign(h) * inv.kappa_bar, 2e-2)
+    # n = x × x(t + h) turns with the sign of h, and so does the way along it: d is even in h.
+    agree(near.distance / abs(h), inv.kappa_bar, 2e-2)
     agree(near.angle / abs(h), inv.kappa, 2e-2)
     agree(near.line.direction * np.sign(h), frame[:, 2], 2e-2)
     # By brute force: no two points of the rulings are nearer.

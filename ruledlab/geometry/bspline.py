@@ -23,8 +23,8 @@ class BSpline:
     """A B-spline curve with uniform knots in the (u, v) chart, or a batch of them.
 
     b(t) = Σ Nᵢ(t) pᵢ over [0, 1]. Moving one control point changes the curve over at most
-    degree + 1 spans. An open curve starts in the first point and ends in the last (clamped knots); a
-    closed one is periodic and its seam is as smooth as every other joint, C^(degree−1).
+    degree + 1 spans. An open curve starts in the first point and ends in the last (clamped knots);
+    a closed one is periodic and its seam is as smooth as every other joint, C^(degree−1).
 
     Parameters
     ----------

@@ -383,8 +383,8 @@ class RuledSurface:
     def neighbours(self, t: npt.ArrayLike, h: npt.ArrayLike) -> CommonPerpendicular:
         """Return the common perpendicular of the rulings X(t) and X(t + h).
 
-        As h → 0 both feet tend to the striction point (paper, §2.2), the line to X₃, and for
-        h > 0 the dual angle, divided by h, to κ̂: the angle's part to κ, the distance's to κ̄.
+        As h → 0 both feet tend to the striction point, the line to X₃ (to −X₃ for h < 0), and its
+        angle and distance, divided by |h|, to κ and κ̄.
 
         Parameters
         ----------
@@ -399,7 +399,7 @@ class RuledSurface:
     def neighbour_distance(self, t: npt.ArrayLike, h: npt.ArrayLike) -> Array:
         """Return the signed shortest distance of the rulings X(t) and X(t + h): see `neighbours`.
 
-        It is positive where X(t + h) lies ahead along x × x(t + h); for small h > 0 it is κ̄ h.
+        It is positive where X(t + h) lies ahead along x(t) × x(t + h); for small h it is κ̄ |h|.
         """
         return self.neighbours(t, h).distance
 

@@ -188,16 +188,17 @@ class Studio(App):
         head = w.Box(
             [self.gallery.widget, self.history.widget, self.look.bar, self.look.legend]
         ).add_class("ruledlab-head")
-        left = w.VBox(
-            [self.pad, self.points.widget, self.fields.widget, self.readouts.widget]
-        ).add_class("ruledlab-left")
+        hand = w.VBox([self.pad]).add_class("ruledlab-hand")
+        edit = w.VBox([self.points.widget, self.fields.widget, self.readouts.widget]).add_class(
+            "ruledlab-edit"
+        )
         right = w.VBox(
             [self.view.widget, self.time.widget, self.look.plot_bar, self.plots.widget]
         ).add_class("ruledlab-right")
         folded = w.Accordion([self.look.more, self.share.widget, self.readouts.words])
         folded.titles = ("Drawing", "Save, open, share", "In words")
         foot = w.VBox([self.gallery.note, folded]).add_class("ruledlab-foot")
-        return w.Box([head, left, right, foot]).add_class("ruledlab-grid")
+        return w.Box([head, hand, right, edit, foot]).add_class("ruledlab-grid")
 
     def restyle(self, dark: bool) -> None:
         """Change all views to the light or the dark theme, and the legend with them."""

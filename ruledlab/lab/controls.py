@@ -213,7 +213,10 @@ class NumberControl:
         """Show a number; the slider's ends move if it lies beyond them."""
         self._value = value
         span = self._span(value)
-        self._group.put(self.slider, **span, value=self._on_grid(value, **span))
+        place = self._on_grid(value, **span)
+        if abs(place - self.slider.value) < 1e-6 * self.slider.step:
+            place = self.slider.value  # sent back, it would undo what the reader has moved since
+        self._group.put(self.slider, **span, value=place)
         text = str(int(value)) if self._whole else named_number(value)
         self._group.put(self.field, value=text)
         self.say(None)

@@ -696,7 +696,7 @@ vec4 line(float number, float count, float styles) {{
       toClip(before(finish, start, front)));
   float dashed = mod(style.z, 2.0) > 0.5 ? 1.0 : 0.0;
   float core = style.y;
-  float full = core + rim * min(core, 1.0);
+  float full = core + rim * clamp(2.0 * core - 1.0, 0.0, 1.0);  // many thin lines stay lines
   vColour = inkOf(style.x);
   vAcross = vec3(corner.y * (full + 0.5), core, full);
   vDash = vec3(mix(from, to, corner.x) / period, onScreen * period / max(to - from, 1e-20), dashed);

@@ -283,7 +283,7 @@ def test_the_closing_menu(studio: StudioPage) -> None:
     menu.select_option("closed, C² (equal second differences)")
     studio.wait_kernel("s.lab.design.closing, s.lab.result.closure.order", "('C2', 2)")
     studio.wait_new(studio.home)
-    status = studio.page.locator(".ruledlab-left").get_by_role("status")
+    status = studio.page.locator(".ruledlab-edit").get_by_role("status")
     assert "C²" in status.last.inner_text()
     menu.select_option("open")
     studio.wait_kernel("s.lab.design.closing", "'open'")

@@ -1,7 +1,7 @@
 """Every number that the lessons' prose states is recomputed here.
 
 In the source of a lesson such a number is followed by a comment that readers do not see, with the
-Python expression that gives it: ``0.383<!--= sin(pi/8) -->``. It must agree to the last digit shown.
+Python expression that gives it: ``0.383<!--= sin(pi/8) -->``. It must agree to the last digit.
 """
 
 from __future__ import annotations
