@@ -1,8 +1,8 @@
 """The paper read with a computer: what is printed beside what the definitions give.
 
 Each `Finding` holds one formula of F. Taş, *On the Design and Invariants of a Ruled Surface*, two
-times: as it is printed, and as it follows from the definitions (3) to (8). Both can be evaluated on any
-design, so that the difference can be seen instead of believed. What is printed is evaluated
+times: as it is printed, and as it follows from the definitions (3) to (8). Both can be evaluated
+on any design, so that the difference can be seen instead of believed. What is printed is evaluated
 literally, from u, v, ū, v̄ and their derivatives; what is right is taken from the definitions,
 without the formula in question. The ideas of the paper are untouched by any of this, and most of
 its formulas stand as printed: `CONFIRMED` names them.
@@ -25,7 +25,7 @@ from .geometry import Bezier, GeometryError, RuledSurface, Series, cross, galler
 from .geometry.checks import Array, finite_array
 from .geometry.quadrature import integrate
 
-__all__ = ["CONFIRMED", "PRINTED", "REMARKS", "Finding", "Note", "finding"]
+__all__ = ["CONFIRMED", "PRINTED", "REMARKS", "TRIED", "Finding", "Note", "finding"]
 
 Evaluation = Callable[..., Array]
 """(surface, t), (surface, t, w) or (surface): see `Finding.over`."""
@@ -85,7 +85,7 @@ class Finding:
 
 @dataclass(frozen=True, slots=True)
 class Note:
-    """A place in the paper and a sentence about it."""
+    """A place in the paper, or what was varied in `TRIED`, and a sentence about it."""
 
     place: str
     text: str
@@ -285,7 +285,8 @@ def _patch(
     ones = np.ones_like(m0 * w)
     r_t, r_w = m1 + w * x1, x0 * ones
     normal = np.cross(r_t, r_w, axis=0)
-    size = np.sqrt(_dot(normal, normal))
+    *_, area = _bending(surface, t, w)  # NaN where there is no tangent plane
+    size = np.where(np.isnan(area), 0.0, np.sqrt(_dot(normal, normal)))
     return r_t, r_w, m2 + w * x2, x1 * ones, _ratio(normal, size)
 
 
@@ -401,7 +402,7 @@ def _tau_bar(surface: RuledSurface, t: npt.ArrayLike) -> Array:
 
 def _cot_sigma_printed(surface: RuledSurface, t: npt.ArrayLike) -> Array:
     f = _chart(surface, t)
-    return _ratio(f.advance * np.sqrt(f.square), f.stretch)
+    return _ratio(f.advance * np.sqrt(f.square), np.where(_torsal(surface, t), 0.0, f.stretch))
 
 
 def _cot_sigma(surface: RuledSurface, t: npt.ArrayLike) -> Array:
@@ -410,7 +411,12 @@ def _cot_sigma(surface: RuledSurface, t: npt.ArrayLike) -> Array:
     tangent = _striction(x, moment).derivative().value
     slope = x.derivative().value
     x3 = np.cross(x.value, _ratio(slope, np.sqrt(_dot(slope, slope))), axis=0)
-    return _ratio(_dot(tangent, x.value), _dot(tangent, x3))
+    return _ratio(_dot(tangent, x.value), np.where(_torsal(surface, t), 0.0, _dot(tangent, x3)))
+
+
+def _torsal(surface: RuledSurface, t: npt.ArrayLike) -> npt.NDArray[np.bool_]:
+    """Tell where κ̄ = 0 but for rounding, so that cot σ is infinite or undefined."""
+    return np.asarray(surface.invariants(t).kappa_bar == 0.0)
 
 
 # -- §4.2: at the first control point --------------------------------------------------------------
@@ -540,15 +546,16 @@ PRINTED: tuple[Finding, ...] = (
         _x3_length,
         "X₃′ = −τ̂X₂ has the length |τ̂|. A length does not shrink where τ is negative, as ∫τ does. "
         "Both integrals are invariants of the surface; only one of them is the arc length.",
-        "Where τ ≥ 0 all along.",
+        "Where τ ≥ 0 all along, as in Example 2.",
         over="surface",
+        design="ramp",
     ),
     Finding(
         "base_curve",
         "§2.4, (9)",
         "first fundamental form g₁₁ at the place w of the ruling",
         r"\mathbf r=\mathbf c+w\,\mathbf x,\quad g_{11}=\bar\tau^2+w^2\kappa^2+\bar\kappa^2",
-        r"\mathbf r=\mathbf c+w\,\mathbf x,\quad"
+        r"\mathbf r=\mathbf c+w\,\mathbf x,\quad "
         r"g_{11}=\langle\mathbf c',\mathbf x\rangle^2+(w-\mu)^2\kappa^2+\bar\kappa^2,"
         r"\quad\mathbf c+\mu\,\mathbf x=\mathbf m",
         _g11_printed,
@@ -808,13 +815,52 @@ PRINTED: tuple[Finding, ...] = (
         r"\lambda=-6.115937783178,\qquad l=0.580104765135",
         lambda surface: np.array([1.419793061, 0.3381414433]),
         _on("example_2", _both_pitches),
-        "",
-        "",
+        "Three routes give the same: the definitions; a vector ξ and an orthogonal trajectory "
+        "followed round the loop, with the gap they leave; and for λ the area 0.16724752 that the "
+        "loop encloses on the sphere, as ∮τ dt is 2π less this area. The slip behind the printed "
+        "pair was searched for and not found: `TRIED` says where.",
+        "No: not modulo 2π, not up to sign, and not with the printed (24) and (25), which give "
+        "λ = 1.1193 and l = −0.5801 here.",
         over="surface",
         only=True,
     ),
 )
 """What was found, in the order of the paper."""
+
+# The search was done once, outside the package: more than 10¹⁰ comparisons, a match being ten equal
+# digits up to sign, a multiple of π, or a simple factor.
+TRIED: tuple[Note, ...] = (
+    Note(
+        "formulas",
+        "Right and printed formulas, (11) as well as (25), every term with the factors 0, ±1, ±2, "
+        "divided by κ⁰ to κ⁴; κ, κ̄ and δ in place of τ and τ̄; u and v exchanged, latitude for "
+        "colatitude, degrees for radians. No variant gives both numbers. A handful give one of "
+        "them to nine digits, as many as chance allows, each by a contrived formula.",
+    ),
+    Note(
+        "curves",
+        "Degree 5 and 7, p₆ dropped, the exponent n − i with n = 5 or 7, no binomials, some points "
+        "left out, B-splines, joined pieces; all orders of the six points, each point moved "
+        "anywhere on the grid of π/8 and all pairs of points moved on part of it. No l fits.",
+    ),
+    Note(
+        "ū and v̄",
+        "Each a combination of up to two of 29 simple functions of u, v or t. No l fits; λ does "
+        "not depend on them.",
+    ),
+    Note(
+        "integration",
+        "Sums, trapezoids, Simpson, Newton–Cotes and Gauss with up to 200 steps: nothing nearer "
+        "than 2·10⁻⁵. Other ranges of t. The nearest to a pattern: ∫τ dt from 0 reaches the "
+        "printed λ at t = 0.1708, and −∫⟨c′, x⟩ dt the printed l at t = 0.1700: near, but not one "
+        "place.",
+    ),
+)
+"""What was varied in search of the slip behind Example 2's numbers, and what came of it: nothing.
+
+For comparison, from the printed points: ∫κ dt = 1.4473, and the pair asked for is
+λ = −6.1159, l = 0.5801.
+"""
 
 REMARKS: tuple[Note, ...] = (
     Note(

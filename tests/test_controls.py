@@ -679,8 +679,12 @@ def test_a_negative_pitch_and_no_pitch(bench):
     assert "does not converge" in text
 
 
-def test_the_words_follow_design_and_cursor(bench):
+def test_the_words_follow_design_and_cursor_while_they_are_shown(bench):
     assert "ū = u - v" in bench.readouts.words.value
+    bench.lab.move_cursor(0.25)
+    assert "At t = 0.25" not in bench.readouts.words.value  # folded away: they rest
+    bench.readouts.listen(True)
+    assert "At t = 0.25" in bench.readouts.words.value
     bench.lab.move_cursor(0.625)
     assert "At t = 0.625" in bench.readouts.words.value
     bench.lab.edit("test", ubar="u*u")

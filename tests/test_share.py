@@ -77,8 +77,13 @@ def test_a_file_name_has_no_path(share, sent, lab, name):
     assert not set(sent[0][0]["save"].removesuffix(".json")) & set('/\\\n":.')
 
 
-def test_the_short_text_is_always_that_of_the_design(share, lab):
+def test_the_short_text_is_that_of_the_design_while_it_is_shown(share, lab):
     assert share.widget.text == OPEN.to_text()
+    lab.edit("test", length=3.0)
+    assert share.widget.text == OPEN.to_text()  # folded away: it rests
+    share.listen(True)
+    assert Design.from_text(share.widget.text) == lab.design
+    lab.undo()
     lab.edit("test", length=4.0)
     assert Design.from_text(share.widget.text) == lab.design
     lab.undo()

@@ -9,12 +9,28 @@ from __future__ import annotations
 from .bspline import BSpline
 from .checks import GeometryError
 from .closed import ArcLengths, Closure
+from .congruence import Congruence, Focal
 from .curve import Bezier
+from .developable import Developable, developable_from_ubar, tangent_developable
 from .dual import Dual, cross, inner, norm, normalize
 from .field import CHOICES, Choice, Field, FormulaError, field, named_number, number
 from .line import CommonPerpendicular, Line, common_perpendicular, dual_angle, relation
+from .motion import FrameEquations, Screw, StrictionLength, frame_equations, screw
 from .series import Series
+from .special import SpecialRulings, special_rulings
 from .surface import Curvature, FundamentalForms, Invariants, RuledSurface, Undefined
+from .turn import (
+    Enclosed,
+    Trajectory,
+    Turning,
+    carried,
+    enclosed,
+    steiner,
+    steiner_angle,
+    trajectory,
+    turning,
+    winding_numbers,
+)
 
 __all__ = [
     "CHOICES",
@@ -24,25 +40,47 @@ __all__ = [
     "Choice",
     "Closure",
     "CommonPerpendicular",
+    "Congruence",
     "Curvature",
+    "Developable",
     "Dual",
+    "Enclosed",
     "Field",
+    "Focal",
     "FormulaError",
+    "FrameEquations",
     "FundamentalForms",
     "GeometryError",
     "Invariants",
     "Line",
     "RuledSurface",
+    "Screw",
     "Series",
+    "SpecialRulings",
+    "StrictionLength",
+    "Trajectory",
+    "Turning",
     "Undefined",
+    "carried",
     "common_perpendicular",
     "cross",
+    "developable_from_ubar",
     "dual_angle",
+    "enclosed",
     "field",
+    "frame_equations",
     "inner",
     "named_number",
     "norm",
     "normalize",
     "number",
     "relation",
+    "screw",
+    "special_rulings",
+    "steiner",
+    "steiner_angle",
+    "tangent_developable",
+    "trajectory",
+    "turning",
+    "winding_numbers",
 ]

@@ -6,6 +6,7 @@ vector; paper, (4)): at each t it turns about the line of D̂ and slides along i
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,7 +20,14 @@ from .quadrature import Primitive
 from .series import Series
 from .surface import RuledSurface
 
-__all__ = ["FrameEquations", "Screw", "StrictionLength", "frame_equations", "screw"]
+__all__ = [
+    "FrameEquations",
+    "Screw",
+    "StrictionLength",
+    "dual_frame",
+    "frame_equations",
+    "screw",
+]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -93,7 +101,7 @@ def frame_equations(surface: RuledSurface, t: npt.ArrayLike) -> FrameEquations:
     places = finite_array(t, "t")
     with np.errstate(all="ignore"):
         jet = surface.jet(places.reshape(-1), 2)
-        frame = _dual_frame(jet.rows)
+        frame = dual_frame(jet.rows)
         left = np.stack([_parts(Dual(x.real.derivative(), x.dual.derivative())) for x in frame])
         kappa, kappa_bar, tau, tau_bar = measure(jet)[0][:4, :, np.newaxis]
         x1, x2, x3 = (Dual(x.real.value, x.dual.value) for x in frame)
@@ -105,14 +113,19 @@ def frame_equations(surface: RuledSurface, t: npt.ArrayLike) -> FrameEquations:
     return FrameEquations(*(frozen(np.moveaxis(a, 2, 0).reshape(shape)) for a in (left, right)))
 
 
-def _dual_frame(rows: Array) -> tuple[Dual, Dual, Dual]:
-    """Return X₁, X₂, X₃ as dual vectors of series, from rows of X, X′, X″."""
-    factorials = np.array([1.0, 1.0, 2.0]).reshape(3, 1, 1, 1)
-    real, dual = np.moveaxis(rows / factorials, 1, 0).swapaxes(-1, -2)
+def dual_frame(rows: Array) -> tuple[Dual, Dual, Dual]:
+    """Return X₁, X₂, X₃ as dual vectors of series of t, shape (N, 3).
+
+    Parameters
+    ----------
+    rows
+        those of a `Jet`, (order+1, 2, 3, N): X₂ and X₃ have one order less. Not finite where κ = 0.
+    """
+    factorials = np.array([math.factorial(k) for k in range(len(rows))], dtype=np.float64)
+    real, dual = np.moveaxis(rows / factorials.reshape(-1, 1, 1, 1), 1, 0).swapaxes(-1, -2)
     x1 = Dual(Series(real), Series(dual))
     slope = Dual(x1.real.derivative(), x1.dual.derivative())
-    length = norm(slope)
-    x2 = Dual(*(_divided(slope, length)))
+    x2 = Dual(*_divided(slope, norm(slope)))
     return x1, x2, cross(x1, x2)
 
 

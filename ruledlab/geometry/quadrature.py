@@ -96,25 +96,25 @@ def bracketed_zero(
     ----------
     function
         t of shape (N,) to the values and the slopes of one function for each of the N brackets,
-        which changes sign in it or is zero at an end. Where a step leads out of the bracket, or
-        hardly on, the bracket is halved instead.
+        which changes sign in it or is zero at an end. Where a step is more than half as long as
+        the last but one, the bracket is halved instead.
     close
         how near in t two steps must be to end.
     """
     left_sign = np.sign(function(low)[0])
     t: Array = 0.5 * (low + high)
-    last: Array = high - low
+    last = before = high - low
     for _ in range(2 * HALVINGS if t.size else 0):
         value, slope = function(t)
         left = np.sign(value) == left_sign
         low = np.asarray(np.where(left, t, low))
         high = np.asarray(np.where(left, high, t))
         with np.errstate(all="ignore"):
-            newton = t - value / slope
-            step = np.abs(newton - t)
-            good = (step <= close) | ((newton >= low) & (newton <= high) & (step <= 0.5 * last))
-        following: Array = np.where(good, np.clip(newton, low, high), 0.5 * (low + high))
-        last = np.abs(following - t)
+            # A step out of the bracket ends on its border, where the zero may be.
+            newton = np.clip(t - value / slope, low, high)
+            good = np.abs(newton - t) <= np.maximum(close, 0.5 * before)
+        following: Array = np.where(good, newton, 0.5 * (low + high))
+        before, last = last, np.abs(following - t)
         t = following
         if (last <= close).all():
             break
@@ -156,7 +156,8 @@ class Primitive:
     def _refined(self, start: float, end: float, what: str) -> tuple[Array, Array]:
         """Return where accepted panels start, and the integral over each."""
         corners = np.linspace(start, end, PANELS + 1)
-        a, b = corners[:-1], corners[1:]
+        a: Array = corners[:-1]
+        b: Array = corners[1:]
         whole = self._gauss(a, b)
         allowed = ACCURACY * max(1.0, float(np.abs(whole).sum()))
         starts: list[Array] = []
@@ -167,9 +168,10 @@ class Primitive:
             good = np.abs(left + right - whole) <= allowed
             starts += [a[good], middle[good]]
             pieces += [left[good], right[good]]
-            a, b = np.concatenate([a, middle]), np.concatenate([middle, b])
-            whole = np.concatenate([left, right])
-            a, b, whole = (values[~np.tile(good, 2)] for values in (a, b, whole))
+            rest = ~np.tile(good, 2)
+            a, b, whole = (
+                np.concatenate(pair)[rest] for pair in ((a, middle), (middle, b), (left, right))
+            )
             if a.size == 0:
                 return np.concatenate(starts), np.concatenate(pieces)
             if a.size > MOST_PANELS:

@@ -186,7 +186,7 @@ class RuledSurface:
     --------
     >>> from ruledlab import Bezier, RuledSurface
     >>> helicoid = RuledSurface(Bezier([[0, 1.5707963267948966], [1, 1.5707963267948966]]), "u", 0)
-    >>> float(helicoid.invariants(0.25).delta)
+    >>> round(float(helicoid.invariants(0.25).delta), 12)
     1.0
     """
 
@@ -237,7 +237,7 @@ class RuledSurface:
         >>> helicoid = RuledSurface.from_base(
         ...     lambda t: (0, 0, 2 * t), lambda t: (np.cos(t), np.sin(t), 0), domain=(0, 6)
         ... )
-        >>> float(helicoid.invariants(0.25).delta)
+        >>> round(float(helicoid.invariants(0.25).delta), 12)
         2.0
         """
         return cls.from_source(BaseSource(base, direction, domain))
@@ -267,7 +267,7 @@ class RuledSurface:
         >>> helicoid = RuledSurface.from_lines(
         ...     lambda t: (np.cos(Dual(t, 2 * t)), np.sin(Dual(t, 2 * t)), 0), domain=(0, 6)
         ... )
-        >>> float(helicoid.invariants(0.25).delta)
+        >>> round(float(helicoid.invariants(0.25).delta), 12)
         2.0
         """
         return cls.from_source(LineSource(lines, domain))

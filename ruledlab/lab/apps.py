@@ -106,7 +106,8 @@ class App(w.VBox):
         self.lab = lab
         self._groups: list[Group] = []
         self._views: list[Any] = []
-        self._releases: list[Callable[[], None]] = []
+        # Before any control, so that the pictures are sent before the read-outs.
+        self._releases: list[Callable[[], None]] = [lab.follow(self.update)]
         super().__init__()
         self.add_class("ruledlab")
 
@@ -114,7 +115,6 @@ class App(w.VBox):
         """Show the parts, follow the lab, and close when the notebook cell is run again."""
         defects = [group.defect for group in self._groups]
         self.children = (w.HTML(f"<style>{_STYLE}</style>"), _Names(), *parts, *defects)
-        self._releases.append(self.lab.follow(self.update))
         self.update(Change(scene=True, mark=True, chosen=True, loaded=True))
         closes_with_cell(self.close)
 
@@ -146,15 +146,12 @@ def _draw(view: Any, lab: Lab, change: Change) -> None:
     """Let one view draw what changed."""
     scene, mark = lab.result.scene, lab.mark
     match view:
-        case CurvePlots() if change.scene:
+        case CurvePlots() | SurfaceView() if change.scene:
             view.draw(scene, mark)
         case DomainPad() if change.scene or change.chosen:
             with view.hold_sync():
                 view.draw(scene, chosen=lab.chosen, closing=lab.design.closing)
                 view.draw_cursor(mark)
-        case _ if change.scene:
-            view.draw(scene)
-            view.draw_cursor(mark)
         case _ if change.mark:
             view.draw_cursor(mark)
     if isinstance(view, SurfaceView):
@@ -174,10 +171,10 @@ class Studio(App):
         self.history, self.gallery = HistoryControl(lab), GalleryControl(lab)
         self.look = LookControl(lab, self.view, self.plots)
         self.readouts, self.share = Readouts(lab), Share(lab, self.plots.export)
-        self._views = [self.plots, self.pad, self.view]
+        self._views = [self.plots, self.view, self.pad]  # in the order they are sent
         self._groups = [self.points, self.fields, self.time, self.history, self.gallery]
         self._groups += [self.look, self.readouts, self.share]
-        self._releases = [
+        self._releases += [
             _connect(self.pad, self.points),
             _follow_theme(self.pad, self.points, self.restyle),
             self.plots.on_pick(lambda t: self.time.guard(lambda: lab.move_cursor(t))),
@@ -197,8 +194,14 @@ class Studio(App):
         ).add_class("ruledlab-right")
         folded = w.Accordion([self.look.more, self.share.widget, self.readouts.words])
         folded.titles = ("Drawing", "Save, open, share", "In words")
+        folded.observe(self._unfolded, "selected_index")
         foot = w.VBox([self.gallery.note, folded]).add_class("ruledlab-foot")
         return w.Box([head, hand, right, edit, foot]).add_class("ruledlab-grid")
+
+    def _unfolded(self, change: dict[str, Any]) -> None:
+        """Keep up to date only what is open: a move should cost no more than it shows."""
+        self.share.listen(change["new"] == 1)
+        self.readouts.listen(change["new"] == 2)
 
     def restyle(self, dark: bool) -> None:
         """Change all views to the light or the dark theme, and the legend with them."""
@@ -213,7 +216,7 @@ class ChartFigure(App):
         super().__init__(lab)
         self.pad, self.points = DomainPad(), PointControl(lab)
         self._views, self._groups = [self.pad], [self.points]
-        self._releases = [
+        self._releases += [
             _connect(self.pad, self.points),
             _follow_theme(self.pad, self.points, self.restyle),
         ]

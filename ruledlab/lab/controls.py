@@ -709,14 +709,21 @@ class Readouts(Group):
         self.closed = w.HTML()
         self.words = w.HTML()
         self.widget = w.VBox([self.closed])
+        self._listening = True
         self.follow(lab, self.update)
         self.update(Change(scene=True, mark=True))
+        self.listen(False)
+
+    def listen(self, listening: bool) -> None:
+        """Keep the words up to date, or let them rest while nobody can see them."""
+        self._listening = listening
+        self.update(Change(mark=True))
 
     def update(self, change: Change) -> None:
         """Follow the lab."""
         if change.scene:
             self.put(self.closed, value=_closed_html(self._lab))
-        if change.scene or change.mark:
+        if self._listening and (change.scene or change.mark):
             self.put(self.words, value=_words_html(self._lab))
 
 

@@ -49,8 +49,16 @@ class Share(Group):
         self.widget = _ShareWidget()
         self.widget.on_msg(self._on_message)
         self._releases.append(lambda: self.widget.on_msg(self._on_message, remove=True))
+        self._listening = True
         self.follow(lab, self.update)
         self.update(Change(scene=True))
+        self.listen(False)
+
+    def listen(self, listening: bool) -> None:
+        """Keep the text up to date, or let it rest while nobody can see it."""
+        self._listening = listening
+        if listening:
+            self.put(self.widget, text=self._lab.design.to_text())
 
     def update(self, change: Change) -> None:
         """Follow the lab."""
@@ -58,7 +66,8 @@ class Share(Group):
             if change.source == "share":
                 self.put(self.widget, error=plain(change.error), said="")
         elif change.scene or change.source == "share":
-            self.put(self.widget, text=self._lab.design.to_text(), error="", said="")
+            text = self._lab.design.to_text() if self._listening else self.widget.text
+            self.put(self.widget, text=text, error="", said="")
 
     def _on_message(self, _widget: Any, content: Mapping[str, Any], _buffers: Any) -> None:
         self.guard(lambda: self._answer(content))

@@ -28,7 +28,8 @@ from ruledlab.lab.scene import Mark, Scene
 Array = npt.NDArray[np.floating[Any]]
 SphereMode = Literal["inset", "large", "only", "off"]
 
-BANDS = 32  # strips between the two ends of a ruling
+BANDS = 8  # strips between the two ends of a ruling; shading is computed at every pixel
+FINE_BANDS = 32  # where a colour varies along the ruling: it is interpolated between vertices
 STEP = 40  # textures are this many columns wide, or a multiple of it
 LINES = 24  # gaps between the rulings drawn as lines
 FAR = 100.0  # scene radii beyond which a ruling counts as undefined: no spike across the picture
@@ -256,11 +257,11 @@ def _quads(count: int) -> Array:
     return np.asarray(4 * np.arange(count)[:, None] + np.array([0, 1, 2, 0, 2, 3]))
 
 
-def _sheet(count: int) -> three.BufferGeometry:
+def _sheet(count: int, bands: int) -> three.BufferGeometry:
     """Return the surface: (fraction along t, fraction along the ruling) at every vertex."""
-    t, w = np.meshgrid(np.linspace(0, 1, count), np.linspace(0, 1, BANDS + 1), indexing="ij")
-    first = np.add.outer(np.arange(count - 1) * (BANDS + 1), np.arange(BANDS)).ravel()
-    across = np.array([0, BANDS + 1, BANDS + 2, 0, BANDS + 2, 1])
+    t, w = np.meshgrid(np.linspace(0, 1, count), np.linspace(0, 1, bands + 1), indexing="ij")
+    first = np.add.outer(np.arange(count - 1) * (bands + 1), np.arange(bands)).ravel()
+    across = np.array([0, bands + 1, bands + 2, 0, bands + 2, 1])
     return _geometry(first[:, None] + across, place=np.stack([t, w], axis=-1).reshape(-1, 2))
 
 
@@ -698,13 +699,15 @@ class SurfaceView:
             "labels": self._kept(("labels", letters), lambda: _two_kinds(letters, letters)),
         }
 
-    def _shapes(self, count: int, controls: int) -> dict[str, three.BufferGeometry]:
-        """Return the geometries that depend on the numbers of rulings and control points."""
+    def _shapes(
+        self, count: int, controls: int, bands: int = BANDS
+    ) -> dict[str, three.BufferGeometry]:
+        """Return the geometries that depend on how much there is to draw."""
         rows = 100 << max(0, math.ceil(math.log2(max(count, 1) / 100)))
         places = 8 << max(0, math.ceil(math.log2(max(controls, 1) / 8)))
         curve = self._kept(("curve", rows), lambda: _strips(*_along(rows, 0.0)))
         return {
-            "surface": self._kept(("surface", rows), lambda: _sheet(rows)),
+            "surface": self._kept(("surface", rows, bands), lambda: _sheet(rows, bands)),
             "lattice": self._kept(("lattice", rows), lambda: _lattice(rows)),
             "striction": curve,
             "striction hidden": curve,
@@ -750,14 +753,16 @@ class SurfaceView:
 
     # ---- what is drawn
 
-    def draw(self, scene: Scene) -> None:
-        """Show a scene; the camera stays where it is, except for the first scene."""
-        first, self._scene = self._scene is None, scene
+    def draw(self, scene: Scene, mark: Mark | None = None) -> None:
+        """Show a scene, and the mark too if it moves; only the first scene moves the camera."""
+        first, self._scene, self._mark = self._scene is None, scene, mark or self._mark
         rulings = self._blank(*texture_size(scene))
         self._scale = None if scene.colour is None else colour_scale(scene.colour)
         rulings.data = rulings_data(scene, self._scale)
         self._use(rulings)
-        for name, shape in self._shapes(len(scene.t), len(scene.control_directions)).items():
+        bands = BANDS if scene.colour is None or scene.colour.shape[1] == 1 else FINE_BANDS
+        shapes = self._shapes(len(scene.t), len(scene.control_directions), bands)
+        for name, shape in shapes.items():
             self._meshes[name].geometry = shape
         _assign(self._materials["surface"], self._colouring())
         if first:

@@ -287,6 +287,8 @@ class NotebookPage:
 
     def run_cell(self, number: int, *, wait: bool = True) -> None:
         """Run one code cell again, as Shift+Enter does; without `wait` it goes on meanwhile."""
+        if wait:
+            self.wait_idle()
         self.page.evaluate(RUN_CELL, [number, wait])
 
     def running(self, number: int) -> bool:

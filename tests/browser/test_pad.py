@@ -96,10 +96,10 @@ def test_a_drag_at_the_seam_keeps_the_closing(in_sight: StudioPage) -> None:
 
 def test_the_handle_follows_while_the_kernel_is_slow(in_sight: StudioPage) -> None:
     studio, old = in_sight, choose(in_sight, 3)
-    studio.kernel("import time; slow = s.lab.follow(lambda change: time.sleep(0.3))")
+    studio.kernel("import time; slow = s.lab.follow(lambda change: time.sleep(1.5))")
     try:
         x, y = centre(studio, 3)
-        drag(studio, 3, (-36, 20), steps=12)  # twelve moves: 3.6 s of work, were each of them done
+        drag(studio, 3, (-36, 20), steps=12)  # 18 s of work, were each of them done
         assert centre(studio, 3) == pytest.approx((x - 36, y + 20), abs=1.5)
         behind = studio.notebook.pixels(THREE)
         studio.page.mouse.up()

@@ -525,8 +525,8 @@ def test_sliders_move_while_a_cell_runs(two: NotebookPage) -> None:
     before = float(two.kernel_exec("first.lab.design.points[0][0]"))
     two.run_cell(4, wait=False)
     two.press(slider(two, 0), "ArrowRight", 7)
-    two.wait_change(old[0], THREE)
-    two.wait_change(old[1], PLOTS)
+    two.wait_change(old[0], THREE, timeout=30)
+    two.wait_change(old[1], PLOTS, timeout=30)
     assert two.running(4)  # the cell still runs, and the pictures have moved on
     two.page.get_by_role("slider", name="cursor t").first.press("End")  # what the cell waits for
     two.wait_cell(4)
