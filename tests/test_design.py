@@ -206,7 +206,9 @@ def test_deep_nesting(depth, where):
     refused(lambda: Design.from_json(text))
 
 
-@pytest.mark.parametrize("value", [None, 3, b"{}", ["{}"], {}, object()], ids=lambda value: type(value).__name__)
+@pytest.mark.parametrize(
+    "value", [None, 3, b"{}", ["{}"], {}, object()], ids=lambda value: type(value).__name__
+)
 def test_not_text(value):
     refused(lambda: Design.from_json(value), "`text`")
     refused(lambda: Design.from_text(value), "`text`")

@@ -409,6 +409,10 @@ def _inserted(points: Any, index: int, at: Sequence[float], order: int) -> Any:
     return np.insert(points, index, place, axis=0)
 
 
+WHOLE = ("pair", "reset", "gallery", "share")
+"""Sources that put both formulas in place: what was typed wrong before is gone."""
+
+
 class FieldControl(Group):
     """The choices ū(u, v) and v̄(u, v): named pairs, and a menu and a typed formula for each."""
 
@@ -479,14 +483,14 @@ class FieldControl(Group):
             if change.source in self.rows:
                 self._say(change.source, plain(change.error))
             return
-        if change.scene or change.source in (*self.rows, "pair"):
+        if change.scene or change.source in (*self.rows, *WHOLE):
             self._show(change.source)
 
     def _show(self, source: str) -> None:
         design = self._lab.design
         for name, (typed, menu, error, _) in self.rows.items():
             formula = getattr(design, name)
-            if self._waiting.get(name) != formula or source in (name, "pair"):
+            if self._waiting.get(name) != formula or source in (name, *WHOLE):
                 self._waiting.pop(name, None)
                 self.put(typed, value=formula)
                 self.put(error, value="")
