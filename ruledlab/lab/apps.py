@@ -196,7 +196,7 @@ class Studio(App):
         folded.titles = ("Drawing", "Save, open, share", "In words")
         folded.observe(self._unfolded, "selected_index")
         foot = w.VBox([self.gallery.note, folded]).add_class("ruledlab-foot")
-        return w.Box([head, hand, right, edit, foot]).add_class("ruledlab-grid")
+        return w.Box([head, hand, edit, right, foot]).add_class("ruledlab-grid")
 
     def _unfolded(self, change: dict[str, Any]) -> None:
         """Keep up to date only what is open: a move should cost no more than it shows."""
