@@ -17,6 +17,9 @@ __all__ = ["Trait", "compare", "drawn", "turns", "zeros"]
 BAND = 0.07
 """Heights below this fraction of the curve's size count as zero."""
 
+FLAT = 0.3
+"""A curve lower than this fraction of the axis is judged as if it were so high: hands tremble."""
+
 WIGGLE = 0.14
 """A turn counts if the curve goes up or down again by this fraction of its range."""
 
@@ -69,7 +72,7 @@ def compare(t: Array, sketch: Array, truth: Array, height: float) -> tuple[Trait
 
 def zeros(t: Array, y: Array, height: float) -> Array:
     """Return where the curve crosses zero and really gets to the other side."""
-    band = BAND * max(float(np.abs(y).max(initial=0.0)), 0.15 * height)
+    band = BAND * max(float(np.abs(y).max(initial=0.0)), FLAT * height)
     clear = np.flatnonzero(np.abs(y) > band)
     sides = np.sign(y[clear])
     places = []
