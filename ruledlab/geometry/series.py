@@ -174,11 +174,6 @@ def _dispatch(function: Callable[[Any, Any], Series], a: Any, b: Any) -> Series:
         return function(a, b) if _is_plain(a) and _is_plain(b) else NotImplemented
 
 
-def _raw(value: Any) -> Any:
-    """Return coefficients of a series; a plain number or array as an array."""
-    return value.coefficients if isinstance(value, Series) else np.asarray(value, dtype=np.float64)
-
-
 def _aligned(a: Series, b: Series) -> tuple[Array, Array]:
     """Cut to the common order and give both values the same number of axes."""
     rows = min(len(a.coefficients), len(b.coefficients))
