@@ -31,18 +31,17 @@
     note("plots", pen.canvas, hash(new Uint32Array(copy.getImageData(0, 0, 300, 150).data.buffer)));
   }
 
-  // Read in a task of its own: after all that the present task draws.
+  // Read as soon as the code that draws has returned.
   const due = new Map();
-  const channel = new MessageChannel();
-  channel.port1.onmessage = () => {
+  const after = (pen, read) => {
+    if (!due.size) queueMicrotask(readAll);
+    due.set(pen, read);
+  };
+  function readAll() {
     const now = [...due];
     due.clear();
     for (const [pen, read] of now) read(pen);
-  };
-  const after = (pen, read) => {
-    if (!due.size) channel.port2.postMessage(0);
-    due.set(pen, read);
-  };
+  }
   const patch = (prototype, name, read, concerns) => {
     const original = prototype[name];
     prototype[name] = function (...values) {

@@ -302,7 +302,7 @@ def synced(view: v3.SurfaceView) -> list[tuple[str, str]]:
         if change["name"] in change["owner"].keys:
             sent.append((type(change["owner"]).__name__, change["name"]))
 
-    for model in v3._reachable(view.widget):
+    for model in (view._carrier, *v3._reachable(view.widget)):
         model.observe(note)
     return sent
 
@@ -318,8 +318,9 @@ def test_a_move_is_one_texture_of_little_size(view):
     view.overlay(everything())
     sent = synced(view)
     view.overlay(everything(0.1))
-    assert sent == [("DataTexture", "data")]
-    assert view._lying.data.nbytes < 3_000
+    assert sent == [("_Carrier", "overlay")]
+    assert len(view._carrier.overlay["data"]) < 3_000
+    assert view._carrier.overlay["into"] == view._lying.model_id
     view.overlay(everything(0.1))
     assert len(sent) == 1
 
@@ -332,7 +333,8 @@ def test_counts_may_change_at_any_time(view):
         view.overlay(Overlay([Stroke(points, "kappa", arrow=True)], dots))
         for name in ("strokes", "strokes hidden", "dots", "sheets", "labels"):
             assert view._materials[name].uniforms["overlay"]["value"] is view._lying
-        assert view._wire.lightMap is view._lying
+        assert view._carrier.overlay["into"] == view._lying.model_id
+        assert len(view._carrier.overlay["data"]) == view._lying.data.nbytes
         parts = view._meshes["strokes"].geometry.attributes["part"].array
         assert parts[parts[:, 1] == 0].max() >= count - 2
         assert view._meshes["dots"].geometry.attributes["number"].array.max() >= len(dots) - 1
@@ -384,7 +386,7 @@ def test_everything_is_drawn_in_its_order_and_the_sphere_last(view):
 def test_a_theme_changes_the_colours_of_an_overlay(view):
     view.overlay(Overlay([Stroke(LINE, "kappa"), Stroke(LINE, "#123456")]))
     view.set_theme(DARK)
-    texels = view._lying.data.reshape(-1, 4)
+    texels = np.frombuffer(view._carrier.overlay["data"], dtype=np.float32).reshape(-1, 4)
     first = int(texels[0, 3])
     assert [f"#{int(texels[first + k, 0]):06x}" for k in (0, 1)] == [DARK.kappa, "#123456"]
     assert view._materials["labels"].uniforms["casing"]["value"] == DARK.paper
@@ -392,10 +394,10 @@ def test_a_theme_changes_the_colours_of_an_overlay(view):
 
 def test_too_much_leaves_the_last_overlay(view):
     view.overlay(everything())
-    before = view._lying.data
+    before = view._carrier.overlay
     with pytest.raises(GeometryError):
         view.overlay(Overlay([Stroke(np.zeros((170_000, 3)), "ink")]))
-    assert view._lying.data is before
+    assert view._carrier.overlay is before
     view.set_theme(DARK)
 
 

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import ast
 import difflib
+import functools
 import keyword
 import math
 import operator
@@ -761,6 +762,7 @@ _BINARY: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
 # -- typed formulas: from the tree to functions ----------------------------------------------------
 
 
+@functools.lru_cache(maxsize=64)  # a design asks for the same two formulas at every move
 def _typed(text: str, name: str) -> Field:
     source = _Source(name, text)
     tree = _parsed(source)

@@ -22,7 +22,15 @@ from .jet import FLAGS, QUANTITIES, Jet, cross, dot, measure, striction
 from .line import CommonPerpendicular, Line, common_perpendicular
 from .source import BaseSource, ChartSource, Curve, Formulas, LineSource, Source
 
-__all__ = ["Curvature", "Curve", "FundamentalForms", "Invariants", "RuledSurface", "Undefined"]
+__all__ = [
+    "Curvature",
+    "Curve",
+    "FundamentalForms",
+    "Invariants",
+    "RuledSurface",
+    "Sample",
+    "Undefined",
+]
 
 BLOCK = 4096
 """Values of t that are worked on at once: few enough to stay in the processor's cache."""
@@ -161,6 +169,53 @@ class FundamentalForms:
     h12: Array
     h22: Array
     normal: Array
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Sample:
+    """Rulings at some t and what follows from them, all read off one `Jet` of order 2.
+
+    The jet is that of t flattened; the properties are named as the methods of `RuledSurface`.
+    """
+
+    jet: Jet
+    invariants: Invariants
+
+    @property
+    def direction(self) -> Array:
+        """(…, 3) the unit direction x."""
+        return _last(self._known(self.jet.direction[0]))
+
+    @property
+    def direction_rate(self) -> Array:
+        """(…, 3) its derivative x′ by t."""
+        return _last(self._known(self.jet.direction[1]))
+
+    @property
+    def foot(self) -> Array:
+        """(…, 3) the point c = x × x̄ nearest to the origin."""
+        return _last(self._known(_foot(self.jet)))
+
+    @property
+    def foot_rate(self) -> Array:
+        """(…, 3) its derivative c′ = x′ × x̄ + x × x̄′ by t."""
+        (x, x1), (y, y1) = self.jet.direction[:2], self.jet.moment[:2]
+        return _last(self._known(cross(x1, y) + cross(x, y1)))
+
+    @property
+    def striction(self) -> Array:
+        """(…, 3) the striction point m; NaN where κ = 0."""
+        return _last(self._known(striction(self.jet)))
+
+    @property
+    def frame(self) -> Array:
+        """(…, 3, 3) the frame with rows x₁, x₂, x₃."""
+        return np.moveaxis(self._known(_frame(self.jet)), (0, 1), (-2, -1))
+
+    def _known(self, values: Array) -> Array:
+        """Return values at flattened t in the shape of t, NaN where they are not finite."""
+        known = np.where(np.isfinite(values), values, np.nan)
+        return known.reshape(values.shape[:-1] + self.invariants.t.shape)
 
 
 class RuledSurface:
@@ -317,7 +372,13 @@ class RuledSurface:
     def invariants(self, t: npt.ArrayLike) -> Invariants:
         """Return κ, κ̄, τ, τ̄, σ, δ, κ′ and κ̄′ at t."""
         t = finite_array(t, "t")
-        values, flags = self._measured(t)
+        return self._named(t, *self._measured(t))
+
+    def _named(self, t: Array, values: Array, flags: npt.NDArray[np.bool_]) -> Invariants:
+        """Give the rows of `measure` at flattened t their names and the shape of t."""
+        shape = (*self._source.batch_shape, *t.shape)
+        values = values.reshape(len(values), *shape)
+        flags = flags.reshape(len(flags), *shape)
         values.flags.writeable = False
         named = dict(zip(QUANTITIES, values, strict=True))
         return Invariants(frozen(t), **named, _flags=flags, _source=self._source)
@@ -333,8 +394,7 @@ class RuledSurface:
                 for start in range(0, flat.size, block):
                     part = slice(start, start + block)
                     values[..., part], flags[..., part] = measure(self.jet(flat[part]))
-        shape = (*batch, *t.shape)
-        return values.reshape(len(values), *shape), flags.reshape(len(flags), *shape)
+        return values, flags
 
     @property
     def _block(self) -> int:
@@ -357,6 +417,18 @@ class RuledSurface:
                 values[~np.isfinite(values)] = np.nan
         return values.reshape(values.shape[:-1] + t.shape)
 
+    def sample(self, t: npt.ArrayLike) -> Sample:
+        """Return rulings, striction points, frames and invariants at t, for a picture.
+
+        It costs one jet where the methods of the same names cost one each, and holds all of it:
+        for a picture's worth of t, not for 10⁶.
+        """
+        t = finite_array(t, "t")
+        with np.errstate(all="ignore"):
+            jet = self.jet(t.reshape(-1))
+            values, flags = measure(jet)
+        return Sample(jet, self._named(t, values, flags))
+
     def line(self, t: npt.ArrayLike) -> Line:
         """Return the rulings X(t) as oriented lines: ``.direction``, ``.moment`` (…, 3).
 
@@ -367,7 +439,7 @@ class RuledSurface:
 
     def foot(self, t: npt.ArrayLike) -> Array:
         """Return (…, 3) the point c = x × x̄ of each ruling nearest to the origin."""
-        return _last(self._mapped(t, 0, lambda jet: cross(jet.direction[0], jet.moment[0])))
+        return _last(self._mapped(t, 0, _foot))
 
     def striction(self, t: npt.ArrayLike) -> Array:
         """Return (…, 3) the striction point m = c − (⟨x′, c′⟩/⟨x′, x′⟩) x; NaN where κ = 0."""
@@ -420,9 +492,9 @@ class RuledSurface:
         NaN at W = 0: the striction point of a torsal ruling, where there is no tangent plane.
         """
         t, w = finite_array(t, "t"), finite_array(w, "w")
-        values, _ = self._measured(t)
+        found = self.invariants(t)
         frame = self._mapped(t, 1, _frame)
-        k, kb, tau, tb, _, _, dk, dkb = (_spread(row, w) for row in values)
+        k, kb, tau, tb, dk, dkb = (_spread(getattr(found, name), w) for name in BENDING)
         x2, x3 = _spread(frame[1], w), _spread(frame[2], w)
         with np.errstate(all="ignore"):
             size = _area(k, kb, w)
@@ -517,6 +589,11 @@ def _last(vectors: Array) -> Array:
 def _spread(values: Array, w: Array) -> Array:
     """Append axes for w."""
     return values.reshape(values.shape + (1,) * w.ndim)
+
+
+def _foot(jet: Jet) -> Array:
+    """Return (3, …) the point c = x × x̄."""
+    return cross(jet.direction[0], jet.moment[0])
 
 
 def _frame(jet: Jet) -> Array:

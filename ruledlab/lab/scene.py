@@ -13,8 +13,7 @@ import numpy as np
 
 from ..design import Design
 from ..geometry.checks import Array
-from ..geometry.jet import Jet, cross
-from ..geometry.surface import Invariants, RuledSurface, Undefined, curvature_along
+from ..geometry.surface import Invariants, RuledSurface, Sample, Undefined, curvature_along
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -137,25 +136,23 @@ def build_scene(
 ) -> Scene:
     """Sample a design for drawing."""
     t = np.linspace(*surface.domain, design.samples)
-    invariants = surface.invariants(t)
-    jet = surface.jet(t, 1)
-    x, x_rate = (np.moveaxis(row, 0, -1) for row in jet.direction)
-    m = surface.striction(t)
-    base, base_rate = _base(design, surface, jet, invariants, m)
+    sample = surface.sample(t)
+    invariants, x, m = sample.invariants, sample.direction, sample.striction
+    base, base_rate = _base(design, sample, m)
     w = np.array([-0.5, 0.5]) * design.length
     curves = {name: getattr(invariants, name) for name in DRAWN}
     curves["sigma"] = unwrapped(curves["sigma"])
     gaps = tuple(_gap(report, t) for report in invariants.undefined)
     centre, radius = _ball(base, x, w)
     control = np.array(design.points)
-    colour = _colour(colouring, surface, invariants, base, m, x, w)
+    colour = _colour(colouring, invariants, base, m, x, w)
     scene = Scene(
         t=t,
         chart=surface.curve.series(t, 0).value.T,
         control=control,
         control_directions=on_sphere(control),
         direction=x,
-        direction_rate=x_rate,
+        direction_rate=sample.direction_rate,
         base=base,
         base_rate=base_rate,
         striction=m,
@@ -182,16 +179,16 @@ def build_scene(
 @np.errstate(all="ignore")
 def build_mark(design: Design, surface: RuledSurface, t: float) -> Mark:
     """Sample a design at the cursor."""
-    invariants = surface.invariants(t)
+    sample = surface.sample(t)
+    invariants, m = sample.invariants, sample.striction
     values = {name: float(getattr(invariants, name)) for name in DRAWN}
-    m, c = surface.striction(t), surface.foot(t)
     chart = surface.curve.series(np.asarray(t), 0).value
     mark = Mark(
         t=t,
         chart=chart,
-        base=m if design.base == "striction" else c,
+        base=m if design.base == "striction" else sample.foot,
         striction=m,
-        frame=surface.frame(t),
+        frame=sample.frame,
         values=values,
         text=_mark_text(t, chart, values, [report.reason for report in invariants.undefined]),
     )
@@ -221,22 +218,16 @@ def unwrapped(angle: Array) -> Array:
     return result
 
 
-def _base(
-    design: Design, surface: RuledSurface, jet: Jet, invariants: Invariants, m: Array
-) -> tuple[Array, Array]:
+def _base(design: Design, sample: Sample, m: Array) -> tuple[Array, Array]:
     """Return the points that w is drawn from, and their derivative by t."""
     if design.base == "foot":
-        (x, x1), (y, y1) = jet.direction, jet.moment
-        rate = cross(x1, y) + cross(x, y1)
-        return np.moveaxis(cross(x, y), 0, -1), np.moveaxis(rate, 0, -1)
-    frame = surface.frame(invariants.t)
-    tau_bar, kappa_bar = invariants.tau_bar[:, None], invariants.kappa_bar[:, None]
-    return m, tau_bar * frame[:, 0] + kappa_bar * frame[:, 2]
+        return sample.foot, sample.foot_rate
+    frame, found = sample.frame, sample.invariants
+    return m, found.tau_bar[:, None] * frame[:, 0] + found.kappa_bar[:, None] * frame[:, 2]
 
 
 def _colour(
     colouring: str,
-    surface: RuledSurface,
     invariants: Invariants,
     base: Array,
     m: Array,

@@ -8,6 +8,7 @@ the last good result and says what is wrong. Any other exception is a defect and
 
 from __future__ import annotations
 
+import functools
 import math
 import threading
 from collections.abc import Callable
@@ -30,9 +31,9 @@ MOST_STEPS = 500
 """Designs that are remembered for undo."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Result:
-    """Everything that follows from a design.
+    """Everything that follows from a design; the pitch is computed when it is first asked for.
 
     Attributes
     ----------
@@ -44,18 +45,27 @@ class Result:
         what there is to draw.
     closure
         whether and how it closes.
-    pitch
-        Λ = λ + ε l, or None where the surface does not close as an oriented motion.
-    pitch_note
-        why there is no Λ, or a remark on it.
     """
 
     design: Design
     surface: RuledSurface
     scene: Scene
     closure: Closure
-    pitch: Dual | None
-    pitch_note: str
+
+    @property
+    def pitch(self) -> Dual | None:
+        """Λ = λ + ε l, or None where the surface does not close as an oriented motion."""
+        return self._pitch[0]
+
+    @property
+    def pitch_note(self) -> str:
+        """Why there is no Λ, or a remark on it."""
+        return self._pitch[1]
+
+    @functools.cached_property
+    def _pitch(self) -> tuple[Dual | None, str]:
+        """Pictures need not wait for it: its integrals cost as much as a scene."""
+        return _pitch(self.surface, self.closure)
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,8 +102,7 @@ def compute(design: Design, colouring: str) -> Result:
     surface = design.surface()
     closure = surface.closure()
     scene = build_scene(design, surface, closure.closed, colouring)
-    pitch, note = _pitch(surface, closure)
-    return Result(design, surface, scene, closure, pitch, note)
+    return Result(design, surface, scene, closure)
 
 
 def _pitch(surface: RuledSurface, closure: Closure) -> tuple[Dual | None, str]:

@@ -10,14 +10,17 @@ from __future__ import annotations
 
 import html
 import math
+import pathlib
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
+import anywidget
 import ipywidgets
 import numpy as np
 import numpy.typing as npt
 import pythreejs as three
+import traitlets
 
 from ruledlab.geometry.checks import GeometryError, finite_array
 from ruledlab.lab import shaders
@@ -331,6 +334,24 @@ def _texture(data: Array) -> three.DataTexture:
     return three.DataTexture(data=data, type="FloatType")
 
 
+class _Carrier(anywidget.AnyWidget):
+    """Carries data into textures, all that belong together in one message; see ``textures.js``.
+
+    Each trait holds the model of a texture (``into``) and all of its data as float32.
+    """
+
+    _esm = pathlib.Path(__file__).parent / "static" / "textures.js"
+
+    renderer = traitlets.Unicode().tag(sync=True)
+    rulings = traitlets.Dict().tag(sync=True)
+    cursor = traitlets.Dict().tag(sync=True)
+    overlay = traitlets.Dict().tag(sync=True)
+
+
+def _freight(texture: three.DataTexture, data: Array) -> dict[str, Any]:
+    return {"into": texture.model_id, "data": np.float32(data).tobytes()}
+
+
 def _doubled(count: int) -> int:
     """Return the power of two that has room for so many."""
     return 1 << max(count - 1, 0).bit_length()
@@ -525,7 +546,8 @@ class SurfaceView:
     theme
         colours.
     antialias
-        smooth edges by multisampling.
+        smooth outlines by multisampling. Lines are smooth without it, and where the browser has
+        no graphics processor it doubles the time of a picture.
 
     Attributes
     ----------
@@ -534,7 +556,7 @@ class SurfaceView:
     """
 
     def __init__(
-        self, width: int = 600, height: int = 430, theme: Theme = LIGHT, antialias: bool = True
+        self, width: int = 600, height: int = 430, theme: Theme = LIGHT, antialias: bool = False
     ) -> None:
         self._theme = theme
         self._scene: Scene | None = None
@@ -559,7 +581,8 @@ class SurfaceView:
 
     def _make_textures(self) -> None:
         self._pool: dict[tuple[Any, ...], Any] = {}
-        self._rulings = self._blank(shaders.ROWS, 5 * STEP)
+        self._rulings = _texture(np.zeros((shaders.ROWS, 5 * STEP, 4), dtype=np.float32))
+        self._pool["rulings", *self._rulings.data.shape] = self._rulings
         self._cursor = _texture(mark_data(None, (0.0, 0.0), 0.0))
 
     def _kept(self, key: tuple[Any, ...], make: Callable[[], Any]) -> Any:
@@ -571,10 +594,6 @@ class SurfaceView:
         if key not in self._pool:
             self._pool[key] = make()
         return self._pool[key]
-
-    def _blank(self, rows: int, columns: int) -> three.DataTexture:
-        data = np.zeros((rows, columns, 4), dtype=np.float32)
-        return self._kept(("rulings", rows, columns), lambda: _texture(data))
 
     def _material(self, vertex: str, fragment: str, **uniforms: Any) -> three.ShaderMaterial:
         known = {"viewport": (600.0, 430.0), "lens": (0.0, 0.0, 1.0), "globe": (0.0, 0.0, 60.0)}
@@ -723,17 +742,13 @@ class SurfaceView:
             name: _mesh(shapes[name], material, DRAWN.index(name))
             for name, material in self._materials.items()
         }
-        # A texture used by a ShaderMaterial does not ask for a redraw when its data change; one
-        # used as a map does. This mesh is never drawn: it only passes the request on.
-        self._wire = three.MeshBasicMaterial(map=self._rulings, alphaMap=self._cursor)
-        self._bell = _mesh(self._meshes["globe"].geometry, self._wire, 0, visible=False)
 
     def _make_renderer(self, width: int, height: int, antialias: bool) -> None:
         self._camera = three.PerspectiveCamera(
             fov=FIELD_OF_VIEW, aspect=width / height, up=(0.0, 0.0, 1.0), position=(3.0, -5.0, 3.0)
         )
         self._controls = three.OrbitControls(controlling=self._camera)
-        self._space = three.Scene(children=[*self._meshes.values(), self._bell], background=None)
+        self._space = three.Scene(children=[*self._meshes.values()], background=None)
         self._renderer = three.Renderer(
             scene=self._space,
             camera=self._camera,
@@ -745,6 +760,7 @@ class SurfaceView:
             clearOpacity=0.0,
             background_opacity=0.0,
         )
+        self._carrier = _Carrier(renderer=self._renderer.model_id)
         self._words = ipywidgets.HTML(STYLE)
         self.widget = ipywidgets.Box([self._renderer, self._words])
         self.widget.add_class("ruledlab-view3d")
@@ -756,9 +772,12 @@ class SurfaceView:
     def draw(self, scene: Scene, mark: Mark | None = None) -> None:
         """Show a scene, and the mark too if it moves; only the first scene moves the camera."""
         first, self._scene, self._mark = self._scene is None, scene, mark or self._mark
-        rulings = self._blank(*texture_size(scene))
         self._scale = None if scene.colour is None else colour_scale(scene.colour)
-        rulings.data = rulings_data(scene, self._scale)
+        data = rulings_data(scene, self._scale)
+        rulings = self._kept(("rulings", *data.shape), lambda: _texture(data))
+        with self._carrier.hold_sync():
+            self._carrier.rulings = _freight(rulings, data)
+            self._send_mark()
         self._use(rulings)
         bands = BANDS if scene.colour is None or scene.colour.shape[1] == 1 else FINE_BANDS
         shapes = self._shapes(len(scene.t), len(scene.control_directions), bands)
@@ -767,7 +786,6 @@ class SurfaceView:
         _assign(self._materials["surface"], self._colouring())
         if first:
             self.reset_view(scene)
-        self._send_mark()
 
     def draw_cursor(self, mark: Mark) -> None:
         """Show the moving ruling and its frame; what is undefined in it is hidden."""
@@ -806,7 +824,7 @@ class SurfaceView:
         before = self._lying
         data = packed.texture(_fitting(packed.rows, 0 if before is None else len(before.data)))
         self._lying = self._kept(("overlay", len(data)), lambda: _texture(data))
-        self._lying.data = data
+        self._carrier.overlay = _freight(self._lying, data)
         rooms = zip(self._room, packed.counts, strict=True)
         self._room = tuple(max(room, _doubled(count)) for room, count in rooms)
         if before is None:
@@ -815,7 +833,6 @@ class SurfaceView:
             self._meshes[name].geometry = shape
         if self._lying is not before:
             self._everywhere(overlay=self._lying)
-            self._wire.lightMap = self._lying
 
     def _bring_overlay(self) -> None:
         materials, shapes = self._overlay_materials(), self._overlay_shapes()
@@ -827,11 +844,12 @@ class SurfaceView:
             name: _mesh(shapes[name], material, DRAWN.index(name))
             for name, material in materials.items()
         }
-        self._space.children = [*self._meshes.values(), self._bell]
+        self._space.children = [*self._meshes.values()]
 
     def _send_mark(self) -> None:
         ends = (0.0, 0.0) if self._scene is None else _ends(self._scene)
-        self._cursor.data = mark_data(self._mark, ends, self._arrow)
+        data = mark_data(self._mark, ends, self._arrow)
+        self._carrier.cursor = _freight(self._cursor, data)
 
     def _use(self, rulings: three.DataTexture) -> None:
         """Draw from this texture; its data are there already, so no frame shows old ones."""
@@ -840,7 +858,6 @@ class SurfaceView:
         self._rulings = rulings
         rows, columns, _ = rulings.data.shape
         self._everywhere(rulings=rulings, extent=(float(columns), float(rows)))
-        self._wire.map = rulings
 
     def _colouring(self) -> dict[str, Any]:
         """Return the uniforms that colour the surface."""
@@ -1091,7 +1108,7 @@ class SurfaceView:
         # the canvas first: it must let go of its renderer while the scene still exists
         self.widget.children = ()
         self._renderer.close()
-        for root in (self._renderer, self._words, self.widget, *self._pool.values()):
+        for root in (self._carrier, self._renderer, self._words, self.widget, *self._pool.values()):
             _close(root)
 
 

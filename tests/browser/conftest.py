@@ -76,6 +76,7 @@ def opened_studio(lab: LabSession, tmp_path_factory: pytest.TempPathFactory) -> 
 def studio(opened_studio: StudioPage) -> Iterator[StudioPage]:
     """The studio showing Example 2; at the end, no error in notebook or console."""
     opened_studio.reset()
+    opened_studio.notebook.forget_console()  # what an earlier test met is its own finding
     yield opened_studio
     assert opened_studio.notebook.errors() == []
     assert opened_studio.notebook.console_errors == []

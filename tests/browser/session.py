@@ -489,6 +489,10 @@ class NotebookPage:
         known = re.compile("|".join(KNOWN_CONSOLE_LINES))
         return [line for line in self._console if not known.search(line)]
 
+    def forget_console(self) -> None:
+        """Count errors from here on."""
+        self._console.clear()
+
 
 # ----------------------------------------------------------------------------------- the session
 
@@ -519,7 +523,7 @@ class LabSession:
         notebook = NotebookPage(page, name)
         self._open[name] = (notebook, browser_context)
         page.on("console", lambda said: _note(notebook, said.type, said.text))
-        page.on("pageerror", lambda error: _note(notebook, "error", str(error)))
+        page.on("pageerror", lambda error: _note(notebook, "error", error.stack or str(error)))
         page.goto(f"{self.url}/lab/tree/{name}?reset", wait_until="domcontentloaded")
         ready = "() => window.jupyterapp && document.querySelector('.jp-Notebook .jp-Cell')"
         page.wait_for_function(ready, timeout=60_000)

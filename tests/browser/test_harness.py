@@ -130,7 +130,8 @@ def test_the_console_is_listened_to(tiny: NotebookPage) -> None:
     tiny.page.evaluate("() => console.error('one of ours')")
     tiny.page.wait_for_timeout(100)
     assert tiny.console_errors == ["one of ours"]
-    tiny._console.clear()
+    tiny.forget_console()
+    assert tiny.console_errors == []
 
 
 def test_the_notebook_itself_is_left_alone(lab: LabSession, tmp_path: Path) -> None:

@@ -12,6 +12,12 @@ function words(part) {
   return label?.title || part.title || said(label);
 }
 
+/** What matches a selector in a part of the page, the part itself included. */
+const within = (root, selector) => [
+  ...(root.matches(selector) ? [root] : []),
+  ...root.querySelectorAll(selector),
+];
+
 function name(root) {
   let named = 0;
   const give = (part, text) => {
@@ -19,11 +25,11 @@ function name(root) {
     part.setAttribute("aria-label", text);
     named++;
   };
-  for (const part of root.querySelectorAll(".noUi-handle, input, select"))
+  for (const part of within(root, ".noUi-handle, input, select"))
     if (![...(part.labels ?? [])].some(said)) give(part, words(part));
-  for (const player of root.querySelectorAll(".widget-play"))
-    player.querySelectorAll("button").forEach((button, i) => give(button, PLAYER[i]));
-  for (const head of root.querySelectorAll(".jupyter-widget-Collapse-header:not([role])")) {
+  for (const button of within(root, ".widget-play button"))
+    give(button, PLAYER[[...button.parentElement.querySelectorAll("button")].indexOf(button)]);
+  for (const head of within(root, ".jupyter-widget-Collapse-header:not([role])")) {
     unfold(head);
     named++;
   }
@@ -50,17 +56,21 @@ function unfold(head) {
 function render({ el }) {
   el.style.display = "none";
   let timer = 0;
-  const observer = new MutationObserver(() => name(observed) && wait());
-  let observed = null;
+  // Only what is new: numbers and pictures change with every move, and have no names to be given.
+  const arrived = (changes) => changes.flatMap(({ addedNodes }) => [...addedNodes]);
+  const observer = new MutationObserver((changes) => {
+    const parts = arrived(changes).filter((node) => node.nodeType === Node.ELEMENT_NODE);
+    if (parts.map(name).some(Boolean)) wait();
+  });
   const wait = () => {
     clearTimeout(timer);
     timer = setTimeout(() => observer.disconnect(), QUIET);
   };
   const frame = requestAnimationFrame(() => {
-    observed = el.closest(".ruledlab");
-    if (!observed) return;
-    name(observed);
-    observer.observe(observed, { childList: true, subtree: true });
+    const app = el.closest(".ruledlab");
+    if (!app) return;
+    name(app);
+    observer.observe(app, { childList: true, subtree: true });
     wait();
   });
   return () => {

@@ -157,7 +157,8 @@ function render({ model, el }) {
   let shownStrips = null;
   let held = null; // the t under the pointer, ahead of what Python has answered
   let release = 0; // timer that lets go of it
-  let drawing = false;
+  let pending = false; // an update will come
+  let changed = false; // and more than the cursor has changed
   let resizing = 0;
   let outputs = [];
 
@@ -172,8 +173,23 @@ function render({ model, el }) {
 
   // -- in: from the model to the page
 
-  function read() {
+  /** Once per message, and at once: it costs less than waiting for a frame would save. */
+  function redraw() {
+    if (!pending) queueMicrotask(update);
+    pending = true;
+  }
+
+  /** A message changes traits in no fixed order; nothing is drawn before all of it is read. */
+  function update() {
+    pending = false;
     if (!ready()) return;
+    if (changed) read();
+    changed = false;
+    readCursor();
+    draw();
+  }
+
+  function read() {
     if (model.get("strips") !== shownStrips) {
       shownStrips = model.get("strips");
       axesRoot.innerHTML = `<style>svg{display:block}</style>${shownStrips.join("")}`;
@@ -183,7 +199,6 @@ function render({ model, el }) {
     curves = frame().axes.map((_, k) => all.subarray(k * across.length, (k + 1) * across.length));
     describe();
     arrange();
-    readCursor();
   }
 
   function describe() {
@@ -224,9 +239,8 @@ function render({ model, el }) {
   }
 
   function readCursor() {
-    if (!ready()) return;
     const cursor = model.get("cursor") || {};
-    if (held !== null && release && Math.abs(place(held) - cursor.x) < 0.5) letGo();
+    if (held !== null && release && Math.abs(place(held) - cursor.x) < 0.5) forget();
     outputs.forEach((output, k) => {
       const text = cursor.values ? cursor.values[k] : "";
       if (output.textContent !== text) output.textContent = text;
@@ -238,17 +252,9 @@ function render({ model, el }) {
       slider.ariaValueNow = String(cursor.t);
       slider.ariaValueText = cursor.spoken;
     }
-    redraw();
-  }
-
-  /** Once per message, and at once: it costs less than waiting for a frame would save. */
-  function redraw() {
-    if (!drawing) queueMicrotask(draw);
-    drawing = true;
   }
 
   function draw() {
-    drawing = false;
     const { width, height, axes } = frame();
     const notes = model.get("notes");
     const density = window.devicePixelRatio || 1;
@@ -257,7 +263,7 @@ function render({ model, el }) {
       [canvas.width, canvas.height] = [wide, high];
       [canvas.style.width, canvas.style.height] = [`${width}px`, `${height}px`];
     }
-    const pen = canvas.getContext("2d");
+    const pen = canvas.getContext("2d", { willReadFrequently: true });
     pen.setTransform(density, 0, 0, density, 0, 0);
     pen.clearRect(0, 0, width, height);
     const valueWidth = Math.max(76, ...outputs.map((output) => output.offsetWidth));
@@ -299,10 +305,14 @@ function render({ model, el }) {
     redraw();
   }
 
-  function letGo() {
+  function forget() {
     clearTimeout(release);
     release = 0;
     held = null;
+  }
+
+  function letGo() {
+    forget();
     redraw();
   }
 
@@ -320,7 +330,7 @@ function render({ model, el }) {
   function released() {
     if (held === null || release) return;
     release = setTimeout(letGo, 600);
-    readCursor();
+    redraw();
   }
 
   /** Arrow keys; read at the window, before JupyterLab takes them to move between cells. */
@@ -363,39 +373,32 @@ function render({ model, el }) {
     clearTimeout(resizing);
     resizing = setTimeout(measure, 100);
   });
-  const zoomed = () => ready() && redraw();
 
   slider.addEventListener("pointerdown", pressed);
   slider.addEventListener("pointermove", moved);
   slider.addEventListener("lostpointercapture", released);
   slider.addEventListener("focus", listenKeys);
   slider.addEventListener("blur", ignoreKeys);
-  window.addEventListener("resize", zoomed);
+  window.addEventListener("resize", redraw);
   observer.observe(root);
 
-  // One message from Python sets several traits and ends in one "change": all of it is there then.
-  const changes = ["strips", "frame", "across", "curves", "notes", "reasons", "summary"];
-  let pending = false;
-  const changed = () => {
-    if (pending) return;
-    pending = true;
-    queueMicrotask(() => {
-      pending = false;
-      read();
-    });
+  const traits = ["strips", "frame", "across", "curves", "notes", "reasons", "summary"];
+  const change = () => {
+    changed = true;
+    redraw();
   };
-  for (const name of changes) model.on(`change:${name}`, changed);
-  model.on("change:cursor", readCursor);
-  read();
+  for (const name of traits) model.on(`change:${name}`, change);
+  model.on("change:cursor", redraw);
+  change();
 
   return () => {
     observer.disconnect();
     ignoreKeys();
-    window.removeEventListener("resize", zoomed);
+    window.removeEventListener("resize", redraw);
     clearTimeout(resizing);
     clearTimeout(release);
-    for (const name of changes) model.off(`change:${name}`, changed);
-    model.off("change:cursor", readCursor);
+    for (const name of traits) model.off(`change:${name}`, change);
+    model.off("change:cursor", redraw);
   };
 }
 
