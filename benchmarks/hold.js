@@ -6,6 +6,7 @@ async ([selector, rate, seconds]) => {
   let moves = 0;
   const move = () => {
     const key = Math.floor(moves / 40) % 2 ? "ArrowLeft" : "ArrowRight";
+    window.watch.reading = moves >= rate * seconds - 1; // only what follows the last move
     handle.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
     moves += 1;
   };

@@ -1,8 +1,10 @@
 // Notes when new pixels can be read back, the same way for every contender, and counts what goes
 // through the kernel's websocket. A picture counts as drawn when its last change has been read.
+// Reading waits for the drawing and so slows it: where many pictures follow one another only those
+// after the last move are read, the others are noted as their drawing is asked for.
 (wanted) => {
   const { plots, image } = wanted;
-  const watch = { drawn: [], keys: [], received: 0, sent: 0 };
+  const watch = { drawn: [], keys: [], received: 0, sent: 0, reading: true };
   window.watch = watch;
   const last = new WeakMap();
   const hash = (values) => {
@@ -17,7 +19,10 @@
     watch.drawn.push([performance.now(), kind]);
   };
 
+  const noteOnly = (kind) => watch.drawn.push([performance.now(), kind]);
+
   function readSurface(gl) {
+    if (!watch.reading) return noteOnly("surface");
     if (gl.isContextLost() || gl.getParameter(gl.FRAMEBUFFER_BINDING)) return;
     const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
     const pixels = new Uint8Array(4 * width * height);
@@ -26,6 +31,7 @@
   }
   const copy = new OffscreenCanvas(300, 150).getContext("2d", { willReadFrequently: true });
   function readPlots(pen) {
+    if (!watch.reading) return noteOnly("plots");
     copy.clearRect(0, 0, 300, 150);
     copy.drawImage(pen.canvas, 0, 0, 300, 150);
     note("plots", pen.canvas, hash(new Uint32Array(copy.getImageData(0, 0, 300, 150).data.buffer)));

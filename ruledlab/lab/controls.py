@@ -156,6 +156,35 @@ class Strokes:
         return (id(self), key, self._count)
 
 
+class Echoes:
+    """Values that were sent to the browser and may come back as if the reader had chosen them.
+
+    A slider reports a value it is given when its own rounding of it differs in the last digit. By
+    then the value may be an old one: taken for a move, it would undo what has happened since.
+    """
+
+    LATEST = 3.0  # seconds until which one is waited for
+
+    def __init__(self, near: float) -> None:
+        self._near = near
+        self._sent: list[tuple[float, float]] = []
+
+    def sent(self, value: float) -> None:
+        """Expect a value back, once."""
+        self._sent.append((value, time.monotonic() + self.LATEST))
+
+    def heard(self, value: float) -> bool:
+        """Whether this is a value that was sent; the same one a second time is not.
+
+        Messages keep their order: after a move of the reader no earlier value will come back.
+        """
+        now = time.monotonic()
+        self._sent = [(sent, end) for sent, end in self._sent if end > now]
+        found = [place for place in self._sent if abs(place[0] - value) < self._near]
+        self._sent = [place for place in self._sent if place != found[0]] if found else []
+        return bool(found)
+
+
 class NumberControl:
     """A slider and a field for the same number; the field takes formulas such as ``3*pi/8``.
 
@@ -198,6 +227,7 @@ class NumberControl:
         room = w.Layout(flex="1 1 80px", min_width="60px", width="auto")
         self.slider = kind(min=span[0], max=span[1], step=step, readout=False, layout=room)
         self.slider.tooltip = name
+        self._echoes = Echoes(near=1e-6 * step)
         self.field = w.Text(
             continuous_update=False, layout=w.Layout(width="104px", flex="0 0 auto")
         )
@@ -216,6 +246,8 @@ class NumberControl:
         place = self._on_grid(value, **span)
         if abs(place - self.slider.value) < 1e-6 * self.slider.step:
             place = self.slider.value  # sent back, it would undo what the reader has moved since
+        else:
+            self._echoes.sent(place)
         self._group.put(self.slider, **span, value=place)
         text = str(int(value)) if self._whole else named_number(value)
         self._group.put(self.field, value=text)
@@ -242,7 +274,11 @@ class NumberControl:
 
     def _slid(self, value: float) -> None:
         # The browser also reports the grid place of a value that was typed between two of them.
-        if abs(value - self._value) > 0.501 * self.slider.step:
+        if abs(value - self._value) <= 0.501 * self.slider.step:
+            return
+        if self._echoes.heard(value):
+            self.show(self._value)  # what is here of the slider has gone back with the echo
+        else:
             self._commit(round(value, 12))
 
     def _typed(self, text: str) -> None:

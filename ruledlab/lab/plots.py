@@ -411,15 +411,27 @@ def _figure_of(axes: Axes) -> Figure:
 
 
 class _Painter:
-    """One figure with one axes, used again for every strip."""
+    """One figure with one axes, used again for every strip; the last strips are kept.
+
+    A value that goes to and fro changes the limits to and fro.
+    """
+
+    KEPT = 64
 
     def __init__(self) -> None:
         self._figure = Figure(dpi=72)
         self._figure.patch.set_visible(False)
         self._canvas: Any = FigureCanvasSVG(self._figure)
         self._axes = self._figure.add_axes((0, 0, 1, 1))
+        self._done: dict[_Strip, _Painted] = {}
 
     def paint(self, strip: _Strip) -> _Painted:
+        self._done[strip] = self._done.pop(strip, None) or self._painted(strip)
+        if len(self._done) > self.KEPT:
+            del self._done[next(iter(self._done))]
+        return self._done[strip]
+
+    def _painted(self, strip: _Strip) -> _Painted:
         for artist in (*self._axes.texts, *self._axes.collections):
             artist.remove()
         self._figure.set_size_inches(strip.width / 72, strip.height / 72)
@@ -432,6 +444,7 @@ class _Painter:
 
     def close(self) -> None:
         self._figure.clear()
+        self._done.clear()
 
 
 def _trimmed(svg: str) -> str:
@@ -686,9 +699,7 @@ class CurvePlots:
         """Bring the browser up to date in one message; what has not changed is not sent."""
         width = min(max(self.widget.width, _MIN_WIDTH), _MAX_WIDTH)
         strips = self._strips(self._theme, width)
-        self._painted = {
-            strip: self._painted.get(strip) or self._painter.paint(strip) for strip in strips
-        }
+        self._painted = {strip: self._painter.paint(strip) for strip in strips}
         placed = [self._place(strip, self._t, self._values(strip.quantity.name))
                   for strip in strips]  # fmt: skip
         for strip, (x, y) in zip(strips, placed, strict=True):

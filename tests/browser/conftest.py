@@ -87,7 +87,7 @@ def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[Any]) -> 
     """Keep a picture of every open notebook when a test fails."""
     report = yield
     session = item.config.stash.get(SESSION, None)
-    if report.when == "call" and report.failed and session is not None:
+    if report.failed and session is not None:
         for number, page in enumerate(session.pages):
             name = re.sub(r"[^\w-]+", "-", f"failed-{item.name}-{number}")
             with suppress(Exception):  # the picture is a help, not the finding

@@ -39,6 +39,9 @@ CHROMIUM_ARGUMENTS = (
     "--ignore-gpu-blocklist",
     # else a 2D canvas changes hands, and its pixels a little, once it has been read
     "--disable-accelerated-2d-canvas",
+    # Pages are put together without WebGL, as Chromium does by itself where there is no graphics
+    # processor; else every frame of a page costs as much as a picture of a surface.
+    "--disable-gpu-compositing",
     "--no-sandbox",
     "--no-first-run",
     "--disable-quic",
@@ -641,6 +644,9 @@ class StudioPage:
 
     def reset(self) -> None:
         """Return to Example 2 and wait until it is on the screen."""
+        # A run of keys ends with a last message as the focus goes; it must not come after.
+        self.page.evaluate("() => document.activeElement?.blur()")
+        self.page.wait_for_timeout(100)
         self.kernel(RESET)
         self.notebook.wait_same(self.home.space, THREE)
         self.home = Pictures(self.home.space, self.notebook.wait_still(PLOTS))

@@ -51,6 +51,7 @@ def kept(before: Any, after: Any, *moved: int) -> bool:
 @pytest.fixture
 def in_sight(studio: StudioPage) -> StudioPage:
     studio.page.locator(".rl-stage").scroll_into_view_if_needed()
+    settled(studio)
     return studio
 
 

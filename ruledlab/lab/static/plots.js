@@ -141,6 +141,7 @@ function render({ model, el }) {
   // A shadow tree of its own: ids and the style rule inside the SVG stay inside.
   const axesHost = element("div", "ruledlab-plots-axes", picture);
   const axesRoot = axesHost.attachShadow({ mode: "open" });
+  axesRoot.innerHTML = "<style>svg{display:block}</style>";
   const canvas = element("canvas", "ruledlab-plots-curves", picture);
   const values = element("div", "ruledlab-plots-values", stage, { "aria-hidden": "true" });
   const label = element("span", "ruledlab-plots-label", values);
@@ -154,7 +155,7 @@ function render({ model, el }) {
 
   let across = new Float32Array(0);
   let curves = [];
-  let shownStrips = null;
+  const shown = []; // the axes: {host, svg}
   let held = null; // the t under the pointer, ahead of what Python has answered
   let release = 0; // timer that lets go of it
   let pending = false; // an update will come
@@ -190,15 +191,22 @@ function render({ model, el }) {
   }
 
   function read() {
-    if (model.get("strips") !== shownStrips) {
-      shownStrips = model.get("strips");
-      axesRoot.innerHTML = `<style>svg{display:block}</style>${shownStrips.join("")}`;
-    }
+    readStrips(model.get("strips"));
     across = floats(model.get("across"));
     const all = floats(model.get("curves"));
     curves = frame().axes.map((_, k) => all.subarray(k * across.length, (k + 1) * across.length));
     describe();
     arrange();
+  }
+
+  /** Put in place only the axes that have changed. */
+  function readStrips(strips) {
+    while (shown.length > strips.length) shown.pop().host.remove();
+    strips.forEach((svg, k) => {
+      if (shown.length === k) shown.push({ host: element("div", "", axesRoot) });
+      if (shown[k].svg !== svg) shown[k].host.innerHTML = svg;
+      shown[k].svg = svg;
+    });
   }
 
   function describe() {
@@ -263,7 +271,7 @@ function render({ model, el }) {
       [canvas.width, canvas.height] = [wide, high];
       [canvas.style.width, canvas.style.height] = [`${width}px`, `${height}px`];
     }
-    const pen = canvas.getContext("2d", { willReadFrequently: true });
+    const pen = canvas.getContext("2d");
     pen.setTransform(density, 0, 0, density, 0, 0);
     pen.clearRect(0, 0, width, height);
     const valueWidth = Math.max(76, ...outputs.map((output) => output.offsetWidth));
