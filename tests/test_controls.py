@@ -37,7 +37,8 @@ from ruledlab.lab.controls import (
     TimeControl,
     design_of,
 )
-from ruledlab.lab.state import Change, Lab
+from ruledlab.lab.slate import Change
+from ruledlab.lab.state import Lab
 
 PI = math.pi
 OPEN = Design(((0.3, 0.8), (1.0, 1.4), (1.9, 1.1), (2.5, 0.9)), "u - v", "0.5", samples=50)
@@ -239,7 +240,6 @@ def test_a_late_echo_of_the_slider_does_not_take_a_drag_back(bench):
         assert slider.value == pytest.approx(0.92), "what is here is what the browser shows"
     slider.set_state({"value": 0.87})  # the same once more: that is the reader
     assert bench.lab.design.points[0] == (0.3, 0.87)
-
 
 
 @given(st.floats(-3.15, 6.3))

@@ -16,8 +16,9 @@ from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, ru
 from ruledlab.design import Design
 from ruledlab.geometry.checks import GeometryError
 from ruledlab.geometry.curve import seam
-from ruledlab.lab import state
-from ruledlab.lab.state import Change, Lab
+from ruledlab.lab import slate, state
+from ruledlab.lab.slate import Change
+from ruledlab.lab.state import Lab
 
 OPEN = Design(((0.3, 0.8), (1.0, 1.4), (1.9, 1.1)), "u - v", "u + v", samples=8)
 LOOP = OPEN.with_(
@@ -227,7 +228,7 @@ def test_a_new_edit_clears_redo_and_an_error_does_not(lab):
 
 
 def test_history_is_bounded(lab, monkeypatch):
-    monkeypatch.setattr(state, "MOST_STEPS", 3)
+    monkeypatch.setattr(slate, "MOST_STEPS", 3)
     for length in (3.0, 4.0, 5.0, 6.0, 7.0):
         lab.edit("x", length=length)
     for _ in range(9):

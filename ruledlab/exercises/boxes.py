@@ -19,7 +19,8 @@ from ..lab.apps import chart
 from ..lab.controls import FieldControl, Group, HistoryControl
 from ..lab.palette import DARK, LIGHT
 from ..lab.plots import CurvePlots
-from ..lab.state import Change, Lab
+from ..lab.slate import Change
+from ..lab.state import Lab
 from .core import (
     UNREAD,
     Choose,

@@ -25,7 +25,8 @@ from ..geometry.curve import Bezier, close, drag, insert, remove
 from ..geometry.field import CHOICES, FormulaError, field, named_number, number
 from ..geometry.gallery import GALLERY, Example
 from .scene import SYMBOLS
-from .state import Change, Lab
+from .slate import Change, Slate
+from .state import Lab
 
 __all__ = [
     "FieldControl",
@@ -88,9 +89,9 @@ class Group:
         button.on_click(pressed)
         self._releases.append(lambda: button.on_click(pressed, remove=True))
 
-    def follow(self, lab: Lab, update: Callable[[Change], None]) -> None:
-        """Call ``update(change)`` for what happens in the lab."""
-        self._releases.append(lab.follow(update))
+    def follow(self, state: Slate[Any, Any], update: Callable[[Change], None]) -> None:
+        """Call ``update(change)`` for what happens in the state."""
+        self._releases.append(state.follow(update))
 
     def guard(self, action: Callable[[], Any]) -> None:
         """Run an action; show what went wrong inside the program."""
@@ -577,23 +578,23 @@ class TimeControl(Group):
 class HistoryControl(Group):
     """Undo, redo, back to the beginning."""
 
-    def __init__(self, lab: Lab) -> None:
+    def __init__(self, state: Slate[Any, Any]) -> None:
         super().__init__()
-        self._lab = lab
+        self._state = state
         self.undo = _button("undo", "undo", "take the last change back")
         self.redo = _button("redo", "repeat", "make the undone change again")
-        self.reset = _button("reset", "refresh", "back to the design this lab began with")
+        self.reset = _button("reset", "refresh", "back to where this began")
         self.widget = w.HBox([self.undo, self.redo, self.reset])
-        self.click(self.undo, lab.undo)
-        self.click(self.redo, lab.redo)
-        self.click(self.reset, lab.reset)
-        self.follow(lab, self.update)
+        self.click(self.undo, state.undo)
+        self.click(self.redo, state.redo)
+        self.click(self.reset, state.reset)
+        self.follow(state, self.update)
         self.update(Change())
 
     def update(self, _change: Change) -> None:
-        """Follow the lab."""
-        self.put(self.undo, disabled=not self._lab.can_undo)
-        self.put(self.redo, disabled=not self._lab.can_redo)
+        """Follow the state."""
+        self.put(self.undo, disabled=not self._state.can_undo)
+        self.put(self.redo, disabled=not self._state.can_redo)
 
 
 class GalleryControl(Group):

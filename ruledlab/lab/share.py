@@ -13,7 +13,8 @@ import traitlets
 from ..design import Design
 from ..geometry.checks import GeometryError
 from .controls import Group, plain
-from .state import Change, Lab
+from .slate import Change
+from .state import Lab
 
 __all__ = ["Share"]
 

@@ -1,19 +1,10 @@
-"""`Lab`: one frozen design and one cursor in, one read-only result out.
-
-A control replaces ``lab.design`` whole; the lab computes once and tells its followers, which update
-what they have drawn. Observers may run in a thread beside other cells, so all of it happens under
-one lock. Geometry raises `GeometryError` for a design that cannot be; the lab catches that, keeps
-the last good result and says what is wrong. Any other exception is a defect and is not caught here.
-"""
+"""`Lab`: the `Slate` of a design, with a cursor t, a chosen control point and a colouring."""
 
 from __future__ import annotations
 
 import functools
 import math
-import threading
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
 
 from ..design import Design
 from ..geometry.checks import GeometryError
@@ -21,14 +12,9 @@ from ..geometry.closed import Closure
 from ..geometry.dual import Dual
 from ..geometry.surface import RuledSurface
 from .scene import COLOURINGS, Mark, Scene, build_mark, build_scene
+from .slate import Change, Slate
 
 __all__ = ["Change", "Lab", "Result"]
-
-Disconnect = Callable[[], None]
-_Step = tuple[Design, bool]  # the design at the other end of a step; whether the step was a load
-
-MOST_STEPS = 500
-"""Designs that are remembered for undo."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,35 +54,6 @@ class Result:
         return _pitch(self.surface, self.closure)
 
 
-@dataclass(frozen=True, slots=True)
-class Change:
-    """What a follower is told.
-
-    Attributes
-    ----------
-    scene
-        the design or its colouring changed: draw the scene and the mark.
-    mark
-        the cursor moved.
-    chosen
-        another control point was chosen.
-    error
-        what is wrong with the last attempt, for the control ``source``; None if nothing is.
-    source
-        the control that caused the change.
-    loaded
-        another design was put in place, by gallery, file, text or reset, or such a step was undone
-        or redone. A move of a point that is undone is none: the reader's view stays.
-    """
-
-    scene: bool = False
-    mark: bool = False
-    chosen: bool = False
-    error: str | None = None
-    source: str = ""
-    loaded: bool = False
-
-
 def compute(design: Design, colouring: str) -> Result:
     """Return everything that follows from a design."""
     surface = design.surface()
@@ -114,7 +71,7 @@ def _pitch(surface: RuledSurface, closure: Closure) -> tuple[Dual | None, str]:
         return None, f"{closure.reason}; {error}"
 
 
-class Lab:
+class Lab(Slate[Design, Result]):
     """The state of one laboratory.
 
     Parameters
@@ -131,15 +88,9 @@ class Lab:
     """
 
     def __init__(self, design: Design, cursor: float = 0.0) -> None:
-        self._lock = threading.RLock()
-        self._followers: dict[object, Callable[[Change], None]] = {}
-        self._first = design
-        self._undo: list[_Step] = []
-        self._redo: list[_Step] = []
-        self._group: object = None
         self._colouring = "plain"
         self._chosen = 0
-        self._result = compute(design, self._colouring)
+        super().__init__(design, lambda design: compute(design, self._colouring))
         self._cursor = self._inside(cursor)
         self._mark = build_mark(design, self._result.surface, self._cursor)
 
@@ -148,12 +99,7 @@ class Lab:
     @property
     def design(self) -> Design:
         """The present design."""
-        return self._result.design
-
-    @property
-    def result(self) -> Result:
-        """Everything that follows from the design."""
-        return self._result
+        return self.value
 
     @property
     def mark(self) -> Mark:
@@ -175,65 +121,7 @@ class Lab:
         """What the surface is coloured by: a key of `scene.COLOURINGS`."""
         return self._colouring
 
-    @property
-    def can_undo(self) -> bool:
-        """Whether there is a step to take back."""
-        return bool(self._undo)
-
-    @property
-    def can_redo(self) -> bool:
-        """Whether a step was taken back."""
-        return bool(self._redo)
-
-    def follow(self, callback: Callable[[Change], None]) -> Disconnect:
-        """Call ``callback`` with each `Change`; the returned function stops that."""
-        key = object()  # the same callback may follow twice
-        with self._lock:
-            self._followers[key] = callback
-
-        def disconnect() -> None:
-            with self._lock:
-                self._followers.pop(key, None)
-
-        return disconnect
-
     # -- changes ---------------------------------------------------------------------------------
-
-    def edit(self, source: str, group: object = None, **changes: Any) -> bool:
-        """Replace entries of the design; return whether that gave a surface.
-
-        Parameters
-        ----------
-        source
-            the control that asks: an error is shown beside it.
-        group
-            changes in a row with an equal group that is not None are one step of undo.
-        changes
-            entries of `Design`.
-        """
-        return self.attempt(source, lambda: self.design.with_(**changes), group)
-
-    def attempt(self, source: str, make: Callable[[], Design], group: object = None) -> bool:
-        """Put the design that ``make`` returns in place, or keep the old one and say why."""
-        return self._try(make, source, group, loaded=False)
-
-    def load(self, design: Design, source: str) -> bool:
-        """Put another design in place as one step of undo."""
-        return self._try(lambda: design, source, None, loaded=True)
-
-    def undo(self) -> None:
-        """Take the last step back."""
-        with self._lock:
-            self._travel(self._undo, self._redo)
-
-    def redo(self) -> None:
-        """Take the last undone step again."""
-        with self._lock:
-            self._travel(self._redo, self._undo)
-
-    def reset(self) -> None:
-        """Return to the design the lab began with; undo leads back."""
-        self.load(self._first, "reset")
 
     def move_cursor(self, t: float) -> None:
         """Look at another t, kept inside the domain; NaN is refused with a GeometryError."""
@@ -264,11 +152,6 @@ class Lab:
             self._result, self._colouring = replace(old, scene=scene), colouring
             self._tell(Change(scene=True))
 
-    def seal(self) -> None:
-        """End a group: the next change is a new step of undo."""
-        with self._lock:
-            self._group = None
-
     # -- inside ----------------------------------------------------------------------------------
 
     def _inside(self, t: float) -> float:
@@ -277,47 +160,11 @@ class Lab:
         start, end = self._result.surface.domain
         return min(max(float(t), start), end)
 
-    def _try(self, make: Callable[[], Design], source: str, group: object, *, loaded: bool) -> bool:
-        with self._lock:
-            try:
-                change = self._put(make(), source, group, loaded)
-            except GeometryError as error:
-                change = Change(error=str(error), source=source)
-            # Outside of the try: what a follower raises is no fault of the design.
-            self._tell(change)
-            return change.error is None
-
-    def _put(self, design: Design, source: str, group: object, loaded: bool) -> Change:
-        old = self.design
-        if design == old:
-            return Change(source=source)
-        change = self._accept(design, source, loaded)
-        if group is None or group != self._group:
-            self._undo.append((old, loaded))
-            del self._undo[:-MOST_STEPS]
-        self._group = group
-        self._redo.clear()
-        return change
-
-    def _travel(self, back: list[_Step], forth: list[_Step]) -> None:
-        if back:
-            old, (design, loaded) = self.design, back[-1]
-            change = self._accept(design, "history", loaded)
-            back.pop()
-            forth.append((old, loaded))
-            self._group = None
-            self._tell(change)
-
     def _accept(self, design: Design, source: str, loaded: bool) -> Change:
         """Compute first: if that fails nothing has changed."""
-        result = compute(design, self._colouring)
+        result = self._compute(design)
         mark = build_mark(design, result.surface, self._cursor)
         chosen = min(self._chosen, len(design.points) - 1)
         changed = chosen != self._chosen
-        self._result, self._mark, self._chosen = result, mark, chosen
+        self._value, self._result, self._mark, self._chosen = design, result, mark, chosen
         return Change(scene=True, mark=True, chosen=changed, source=source, loaded=loaded)
-
-    def _tell(self, change: Change) -> None:
-        for key, callback in tuple(self._followers.items()):
-            if key in self._followers:  # unless one told before it has ended it
-                callback(change)

@@ -1,4 +1,4 @@
-"""The interactive apps: a `Lab`, its controls and its views, laid out. One function for each.
+"""The whole laboratory, and its single views as linked figures.
 
 The studio is laid out as an instrument: the chart, where the hand works, stands first; the surface
 beside it; under each of them the numbers that belong to it. What changes with every move keeps its
@@ -7,20 +7,16 @@ place, and what is used once in a while is folded away at the foot.
 
 from __future__ import annotations
 
-import pathlib
 from collections.abc import Callable
-from typing import Any, Final
+from typing import Any
 
-import anywidget
 import ipywidgets as w
 
-from ..design import Design
-from ..geometry import gallery
-from .cells import closes_with_cell
-from .controls import (
+from ...design import Design
+from ...geometry import gallery
+from ..controls import (
     FieldControl,
     GalleryControl,
-    Group,
     HistoryControl,
     LookControl,
     PointControl,
@@ -28,17 +24,24 @@ from .controls import (
     TimeControl,
     design_of,
 )
-from .pad import DomainPad, PadRequest
-from .palette import DARK, LIGHT
-from .plots import CurvePlots
-from .share import Share
-from .state import Change, Lab
-from .view3d import SurfaceView
+from ..pad import DomainPad, PadRequest
+from ..plots import CurvePlots
+from ..share import Share
+from ..slate import Change
+from ..state import Lab
+from ..view3d import SurfaceView
+from .base import LabApp
 
-__all__ = ["App", "Studio", "chart", "sphere", "studio", "surface"]
-
-_STATIC: Final = pathlib.Path(__file__).parent / "static"
-_STYLE: Final = (_STATIC / "studio.css").read_text(encoding="utf-8")
+__all__ = [
+    "ChartFigure",
+    "SpaceFigure",
+    "Studio",
+    "chart",
+    "example",
+    "sphere",
+    "studio",
+    "surface",
+]
 
 
 def studio(design: Design | None = None) -> Studio:
@@ -82,86 +85,7 @@ def surface(lab: Lab) -> SpaceFigure:
     return SpaceFigure(lab, sphere=False)
 
 
-class _Names(anywidget.AnyWidget):
-    """Gives the sliders and fields of an app their accessible names, in the browser."""
-
-    _esm = _STATIC / "names.js"
-
-
-class App(w.VBox):
-    """Controls and views of one lab that live and close together.
-
-    Parameters
-    ----------
-    lab
-        the state, shared with other apps where several show the same lab.
-
-    Attributes
-    ----------
-    lab
-        the state: design, cursor, result.
-    """
-
-    def __init__(self, lab: Lab) -> None:
-        self.lab = lab
-        self._groups: list[Group] = []
-        self._views: list[Any] = []
-        # Before any control, so that the pictures are sent before the read-outs.
-        self._releases: list[Callable[[], None]] = [lab.follow(self.update)]
-        super().__init__()
-        self.add_class("ruledlab")
-
-    def assemble(self, *parts: Any) -> None:
-        """Show the parts, follow the lab, and close when the notebook cell is run again."""
-        defects = [group.defect for group in self._groups]
-        self.children = (w.HTML(f"<style>{_STYLE}</style>"), _Names(), *parts, *defects)
-        self.update(Change(scene=True, mark=True, chosen=True, loaded=True))
-        closes_with_cell(self.close)
-
-    def update(self, change: Change) -> None:
-        """Pass what changed in the lab to the views that there are."""
-        for view in self._views:
-            _draw(view, self.lab, change)
-
-    def restyle(self, dark: bool) -> None:
-        """Change all views to the light or the dark theme."""
-        for view in self._views:
-            view.set_theme(DARK if dark else LIGHT)
-
-    def close(self) -> None:
-        """Close every widget and leave no observer behind; a second call does nothing."""
-        while self._releases:
-            self._releases.pop()()
-        for group in self._groups:
-            group.release()
-        for view in self._views:
-            view.close()
-        _close_all(self)
-
-    def __del__(self) -> None:
-        """Do nothing: the widget's own way is to close, which fails while Python shuts down."""
-
-
-def _draw(view: Any, lab: Lab, change: Change) -> None:
-    """Let one view draw what changed."""
-    scene, mark = lab.result.scene, lab.mark
-    match view:
-        case CurvePlots() | SurfaceView() if change.scene:
-            view.draw(scene, mark)
-        case DomainPad() if change.scene or change.chosen:
-            with view.hold_sync():
-                view.draw(scene, chosen=lab.chosen, closing=lab.design.closing)
-                view.draw_cursor(mark)
-        case _ if change.mark:
-            view.draw_cursor(mark)
-    if isinstance(view, SurfaceView):
-        if change.chosen:
-            view.choose(lab.chosen)
-        if change.loaded:
-            view.reset_view(scene)
-
-
-class Studio(App):
+class Studio(LabApp):
     """Chart, surface, plots and numbers of one lab."""
 
     def __init__(self, lab: Lab) -> None:
@@ -209,7 +133,7 @@ class Studio(App):
         self.look.update(Change(scene=True))
 
 
-class ChartFigure(App):
+class ChartFigure(LabApp):
     """The chart alone: control polygon, curve and closing (the paper's Figure 2)."""
 
     def __init__(self, lab: Lab) -> None:
@@ -223,7 +147,7 @@ class ChartFigure(App):
         self.assemble(w.HBox([self.pad, self.points.widget]).add_class("ruledlab-pair"))
 
 
-class SpaceFigure(App):
+class SpaceFigure(LabApp):
     """One view in space with the cursor t below it: sphere (Figure 3) or surface (Figure 4)."""
 
     def __init__(self, lab: Lab, *, sphere: bool) -> None:
@@ -264,12 +188,3 @@ def _ask(request: PadRequest, pad: DomainPad, points: PointControl) -> None:
         lab.seal()
     if not done:
         pad.draw(lab.result.scene, chosen=lab.chosen, closing=lab.design.closing)
-
-
-def _close_all(widget: Any) -> None:
-    for child in getattr(widget, "children", ()):
-        _close_all(child)
-    for owned in (getattr(widget, "layout", None), getattr(widget, "style", None)):
-        if isinstance(owned, w.Widget):
-            owned.close()
-    w.Widget.close(widget)

@@ -1,0 +1,127 @@
+"""What every app is made of: controls and views that live and close together."""
+
+from __future__ import annotations
+
+import pathlib
+from collections.abc import Callable
+from typing import Any, Final
+
+import anywidget
+import ipywidgets as w
+
+from ..cells import closes_with_cell
+from ..controls import Group
+from ..pad import DomainPad
+from ..palette import DARK, LIGHT
+from ..plots import CurvePlots
+from ..slate import Change, Slate
+from ..state import Lab
+from ..view3d import SurfaceView
+
+__all__ = ["App", "LabApp"]
+
+_STATIC: Final = pathlib.Path(__file__).parent.parent / "static"
+_STYLE: Final = (_STATIC / "studio.css").read_text(encoding="utf-8")
+
+
+class _Names(anywidget.AnyWidget):
+    """Gives the sliders and fields of an app their accessible names, in the browser."""
+
+    _esm = _STATIC / "names.js"
+
+
+class App(w.VBox):
+    """Controls and views of one state that live and close together.
+
+    A subclass makes its parts, lists them in ``_groups`` and ``_views``, puts what has to be ended
+    into ``_releases``, and calls `assemble` last.
+
+    Parameters
+    ----------
+    state
+        a `Slate` or a `Lab`; several apps may show the same one.
+    """
+
+    def __init__(self, state: Slate[Any, Any]) -> None:
+        self._groups: list[Group] = []
+        self._views: list[Any] = []
+        # Before any control, so that the pictures are sent before the read-outs.
+        self._releases: list[Callable[[], None]] = [state.follow(self.update)]
+        super().__init__()
+        self.add_class("ruledlab")
+
+    def assemble(self, *parts: Any) -> None:
+        """Show the parts, follow the state, and close when the notebook cell is run again."""
+        defects = [group.defect for group in self._groups]
+        self.children = (w.HTML(f"<style>{_STYLE}</style>"), _Names(), *parts, *defects)
+        self.update(Change(scene=True, mark=True, chosen=True, loaded=True))
+        closes_with_cell(self.close)
+
+    def update(self, change: Change) -> None:
+        """Draw what changed; a subclass says how."""
+        raise NotImplementedError
+
+    def restyle(self, dark: bool) -> None:
+        """Change all views to the light or the dark theme."""
+        for view in self._views:
+            view.set_theme(DARK if dark else LIGHT)
+
+    def close(self) -> None:
+        """Close every widget and leave no observer behind; a second call does nothing."""
+        while self._releases:
+            self._releases.pop()()
+        for group in self._groups:
+            group.release()
+        for view in self._views:
+            view.close()
+        _close_all(self)
+
+    def __del__(self) -> None:
+        """Do nothing: the widget's own way is to close, which fails while Python shuts down."""
+
+
+class LabApp(App):
+    """An app of a `Lab`: its views draw the lab's scene and mark.
+
+    Attributes
+    ----------
+    lab
+        the state: design, cursor, result.
+    """
+
+    def __init__(self, lab: Lab) -> None:
+        self.lab = lab
+        super().__init__(lab)
+
+    def update(self, change: Change) -> None:
+        """Pass what changed in the lab to the views that there are."""
+        for view in self._views:
+            _draw(view, self.lab, change)
+
+
+def _draw(view: Any, lab: Lab, change: Change) -> None:
+    """Let one view draw what changed."""
+    scene, mark = lab.result.scene, lab.mark
+    match view:
+        case CurvePlots() | SurfaceView() if change.scene:
+            view.draw(scene, mark)
+        case DomainPad() if change.scene or change.chosen:
+            with view.hold_sync():
+                view.draw(scene, chosen=lab.chosen, closing=lab.design.closing)
+                view.draw_cursor(mark)
+        case _ if change.mark:
+            view.draw_cursor(mark)
+    if isinstance(view, SurfaceView):
+        if change.chosen:
+            view.choose(lab.chosen)
+        if change.loaded:
+            view.reset_view(scene)
+
+
+def _close_all(widget: Any) -> None:
+    for child in getattr(widget, "children", ()):
+        _close_all(child)
+    for owned in (getattr(widget, "layout", None), getattr(widget, "style", None)):
+        if isinstance(owned, w.Widget):
+            owned.close()
+    w.Widget.close(widget)
