@@ -121,6 +121,25 @@ def test_a_surface_of_the_congruence_turns_its_striction_by_the_matrix(c, u, v, 
     agree(inv.kappa * inv.kappa_bar, p[0] * -q[1] + p[1] * q[0], 1e-9)
 
 
+@few
+@given(congruences, longitudes, colatitudes, grid(0.0, 3.1))
+def test_the_parameters_of_all_surfaces_lie_between_two_that_add_up_to_the_divergence(c, u, v, way):
+    def delta(angle):  # of the surface itself, by its own route
+        step = 0.5 * np.array([math.cos(angle) / math.sin(v), math.sin(angle)])
+        curve = Bezier([[u, v], [u, v] + step])
+        return float(RuledSurface(curve, c.ubar, c.vbar).invariants(0.0).delta)
+
+    least, greatest = c.parameters(u, v)
+    size = 1.0 + float(np.abs(c.matrix(u, v)).max())
+    found = np.array([delta(way + k * math.pi / 8) for k in range(8)])
+    assert (least - 1e-9 * size <= found).all() and (found <= greatest + 1e-9 * size).all()
+    agree((found[:4] + found[4:]) / size, np.full(4, c.divergence(u, v) / size))
+    # a sinusoid of twice the angle: both ends are reached
+    agree(np.hypot(found[0] - found[4], found[2] - found[6]) / size, (greatest - least) / size)
+    signs = {"elliptic": least * greatest > 0, "hyperbolic": least * greatest < 0}
+    assert signs.get(str(c.kind(u, v)), abs(least * greatest) < 1e-9 * size**2)
+
+
 # -- the menu --------------------------------------------------------------------------------------
 
 

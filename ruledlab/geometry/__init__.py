@@ -14,11 +14,14 @@ from .curve import Bezier
 from .developable import Developable, developable_from_ubar, tangent_developable
 from .dual import Dual, cross, inner, norm, normalize
 from .field import CHOICES, Choice, Field, FormulaError, field, named_number, number
+from .function import Function, Lifted, function
 from .line import CommonPerpendicular, Line, common_perpendicular, dual_angle, relation
 from .motion import FrameEquations, Screw, StrictionLength, frame_equations, screw
 from .series import Series
 from .special import SpecialRulings, special_rulings
+from .steps import Stepped, stepped
 from .surface import Curvature, FundamentalForms, Invariants, RuledSurface, Undefined
+from .tangent import TangentPlanes, tangent_planes
 from .turn import (
     Enclosed,
     Trajectory,
@@ -31,6 +34,7 @@ from .turn import (
     turning,
     winding_numbers,
 )
+from .vector import Vector, vector
 
 __all__ = [
     "CHOICES",
@@ -49,18 +53,23 @@ __all__ = [
     "Focal",
     "FormulaError",
     "FrameEquations",
+    "Function",
     "FundamentalForms",
     "GeometryError",
     "Invariants",
+    "Lifted",
     "Line",
     "RuledSurface",
     "Screw",
     "Series",
     "SpecialRulings",
+    "Stepped",
     "StrictionLength",
+    "TangentPlanes",
     "Trajectory",
     "Turning",
     "Undefined",
+    "Vector",
     "carried",
     "common_perpendicular",
     "cross",
@@ -69,6 +78,7 @@ __all__ = [
     "enclosed",
     "field",
     "frame_equations",
+    "function",
     "inner",
     "named_number",
     "norm",
@@ -79,8 +89,11 @@ __all__ = [
     "special_rulings",
     "steiner",
     "steiner_angle",
+    "stepped",
     "tangent_developable",
+    "tangent_planes",
     "trajectory",
     "turning",
+    "vector",
     "winding_numbers",
 ]

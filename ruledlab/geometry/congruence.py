@@ -145,6 +145,19 @@ class Congruence:
         m = self.matrix(u, v)
         return np.asarray(m[..., 0, 1] - m[..., 1, 0])
 
+    def parameters(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
+        """Return (…, 2) the least and the greatest δ of the surfaces of this congruence there.
+
+        A curve that leaves (u, v) in the direction e has κκ̄/κ² = δ = e₂ ⟨Me, e₁⟩ − e₁ ⟨Me, e₂⟩,
+        a quadratic form of e. Its values in two perpendicular directions add up to the divergence,
+        and it is zero in the directions of the neighbours that meet the line, to first order: two
+        of them where the congruence is hyperbolic, none where it is elliptic.
+        """
+        m = self.matrix(u, v)
+        middle = 0.5 * (m[..., 0, 1] - m[..., 1, 0])
+        away = np.hypot(0.5 * (m[..., 0, 1] + m[..., 1, 0]), 0.5 * (m[..., 0, 0] - m[..., 1, 1]))
+        return frozen(_around(middle, away))
+
     def flux(self, u: tuple[float, float], v: tuple[float, float]) -> float:
         """Return ∬ (ū_u + v̄_v + v̄ cot v) sin v du dv over a rectangle of the chart.
 

@@ -164,26 +164,31 @@ class Echoes:
     then the value may be an old one: taken for a move, it would undo what has happened since.
     """
 
-    LATEST = 3.0  # seconds until which one is waited for
+    LATEST = 0.8  # seconds after the last value sent; by then all of them have come back
 
     def __init__(self, near: float) -> None:
         self._near = near
-        self._sent: list[tuple[float, float]] = []
+        self._sent: list[float] = []
+        self._end = 0.0
 
     def sent(self, value: float) -> None:
         """Expect a value back, once."""
-        self._sent.append((value, time.monotonic() + self.LATEST))
+        if time.monotonic() > self._end:
+            self._sent.clear()
+        self._sent.append(value)
+        self._end = time.monotonic() + self.LATEST
 
     def heard(self, value: float) -> bool:
         """Whether this is a value that was sent; the same one a second time is not.
 
         Messages keep their order: after a move of the reader no earlier value will come back.
         """
-        now = time.monotonic()
-        self._sent = [(sent, end) for sent, end in self._sent if end > now]
-        found = [place for place in self._sent if abs(place[0] - value) < self._near]
-        self._sent = [place for place in self._sent if place != found[0]] if found else []
-        return bool(found)
+        near = [sent for sent in self._sent if abs(sent - value) < self._near]
+        if not near or time.monotonic() > self._end:
+            self._sent.clear()
+            return False
+        self._sent.remove(near[0])
+        return True
 
 
 class NumberControl:

@@ -6,7 +6,7 @@ No plotting library is imported here, and no view computes geometry of its own.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from itertools import groupby
 
 import numpy as np
@@ -137,40 +137,67 @@ def build_scene(
     """Sample a design for drawing."""
     t = np.linspace(*surface.domain, design.samples)
     sample = surface.sample(t)
-    invariants, x, m = sample.invariants, sample.direction, sample.striction
-    base, base_rate = _base(design, sample, m)
-    w = np.array([-0.5, 0.5]) * design.length
-    curves = {name: getattr(invariants, name) for name in DRAWN}
-    curves["sigma"] = unwrapped(curves["sigma"])
-    gaps = tuple(_gap(report, t) for report in invariants.undefined)
-    centre, radius = _ball(base, x, w)
+    base, base_rate = _base(design, sample, sample.striction)
+    plain = plain_scene(sample, base, base_rate, design.length)
     control = np.array(design.points)
-    colour = _colour(colouring, invariants, base, m, x, w)
-    scene = Scene(
-        t=t,
+    colour = _colour(colouring, sample.invariants, base, plain.striction, plain.direction, plain.w)
+    scene = replace(
+        plain,
         chart=surface.curve.series(t, 0).value.T,
         control=control,
         control_directions=on_sphere(control),
+        colour=colour,
+        colour_label=COLOURINGS[colouring],
+        closed=closed,
+        text=" ".join(
+            [
+                _surface_text(design, plain.curves, closed),
+                _drawing_text(design, COLOURINGS[colouring], colour),
+                *plain.gaps,
+            ]
+        ),
+    )
+    _lock(scene)
+    return scene
+
+
+@np.errstate(all="ignore")
+def plain_scene(sample: Sample, base: Array, base_rate: Array, length: float) -> Scene:
+    """Return the picture of any sampled surface: no chart, no control points, no colour.
+
+    Parameters
+    ----------
+    sample
+        rulings at increasing t.
+    base, base_rate
+        (T, 3) the points that the drawn rulings are centred on, and their derivative by t.
+    length
+        the length of the drawn rulings.
+    """
+    invariants, x, t = sample.invariants, sample.direction, sample.invariants.t
+    w = np.array([-0.5, 0.5]) * length
+    curves = {name: getattr(invariants, name) for name in DRAWN}
+    curves["sigma"] = unwrapped(curves["sigma"])
+    centre, radius = _ball(base, x, w)
+    scene = Scene(
+        t=t,
+        chart=np.zeros((0, 2)),
+        control=np.zeros((0, 2)),
+        control_directions=np.zeros((0, 3)),
         direction=x,
         direction_rate=sample.direction_rate,
         base=base,
         base_rate=base_rate,
-        striction=m,
+        striction=sample.striction,
         w=w,
         curves=curves,
-        gaps=gaps,
-        colour=colour,
-        colour_label=COLOURINGS[colouring],
+        gaps=tuple(_gap(report, t) for report in invariants.undefined),
+        colour=None,
+        colour_label="",
         centre=centre,
         radius=radius,
-        closed=closed,
-        text=" ".join(
-            [
-                _surface_text(design, curves, closed),
-                _drawing_text(design, COLOURINGS[colouring], colour),
-                *gaps,
-            ]
-        ),
+        closed=False,
+        text=f"Ruled surface over t: {in_ranges(curves)}.",
     )
     _lock(scene)
     return scene
@@ -282,12 +309,16 @@ def _sentence(reason: str) -> str:
 
 def _surface_text(design: Design, curves: dict[str, Array], closed: bool) -> str:
     degree = len(design.points) - 1
-    ranges = [f"{SYMBOLS[name]} {_range(values)}" for name, values in curves.items()]
     return (
         f"Ruled surface of a Bézier curve of degree {degree} in the chart of the unit sphere, with "
         f"ū = {design.ubar} and v̄ = {design.vbar}; its last ruling is "
-        f"{'the first again' if closed else 'not the first'}. Over t: {'; '.join(ranges)}."
+        f"{'the first again' if closed else 'not the first'}. Over t: {in_ranges(curves)}."
     )
+
+
+def in_ranges(curves: dict[str, Array]) -> str:
+    """Say from where to where each invariant goes."""
+    return "; ".join(f"{SYMBOLS[name]} {_range(values)}" for name, values in curves.items())
 
 
 def _drawing_text(design: Design, label: str, colour: Array | None) -> str:

@@ -53,6 +53,7 @@ def in_sight(page: NotebookPage, target: str, nth: int = 0) -> None:
 
 
 def test_lesson_0_says_that_all_is_well(start: NotebookPage) -> None:
+    in_sight(start, ".jp-OutputArea-output table")
     table = start.page.locator(".jp-OutputArea-output table").first.inner_text()
     assert "Everything is ready." in table
     assert "MISSING" not in table

@@ -1,0 +1,167 @@
+"""Lesson 02: two oriented lines, their dual vectors, dual angle and common perpendicular."""
+
+from __future__ import annotations
+
+import functools
+import math
+from dataclasses import replace
+from typing import Any, Final
+
+import ipywidgets as w
+
+from ..controls import Group, HistoryControl, NumberControl, Strokes
+from ..line_pair import (
+    PRESETS,
+    OneLine,
+    Pair,
+    TwoLines,
+    between,
+    lines_html,
+    pair_html,
+    picture,
+    words,
+)
+from ..overlay import Overlay, ball
+from ..slate import Change, Slate
+from ..view3d import SurfaceView
+from .base import App
+
+__all__ = ["TwoLinesApp", "two_lines"]
+
+# -- what the reader moves -------------------------------------------------------------------------
+
+NUMBERS: Final = {
+    "u": ("u, longitude of the direction in radians", (-6.3, 6.3), 0.01),
+    "v": ("v, colatitude of the direction in radians", (0.0, math.pi), 0.01),
+    "x": ("x of a point of the line", (-4.0, 4.0), 0.05),
+    "y": ("y of a point of the line", (-4.0, 4.0), 0.05),
+    "z": ("z of a point of the line", (-4.0, 4.0), 0.05),
+}
+
+
+class LineControl(Group):
+    """The position of both lines from a menu, and the five numbers of the chosen one."""
+
+    def __init__(self, slate: Slate[TwoLines, Pair]) -> None:
+        super().__init__()
+        self._slate, self._strokes = slate, Strokes()
+        self.preset = w.Dropdown(
+            options=[("positions …", ""), *((name, name) for name in PRESETS)],
+            layout=w.Layout(width="auto"),
+        )
+        self.preset.tooltip = "positions of two lines"
+        self.which = w.ToggleButtons(options=[("line A", "a"), ("line B", "b")])
+        self.which.style.button_width = "72px"
+        self.reverse = w.Button(description="reverse", layout=w.Layout(width="auto"))
+        self.reverse.tooltip = "run through the chosen line the other way"
+        self.numbers = {
+            key: NumberControl(self, key, *about, functools.partial(self._move, key), fixed=True)
+            for key, about in NUMBERS.items()
+        }
+        bar = w.HBox([self.which, self.reverse]).add_class("ruledlab-bar")
+        self.widget = w.VBox([bar, *(number.widget for number in self.numbers.values())])
+        self.on(self.preset, "value", self._load)
+        self.on(self.which, "value", lambda _: self.update(Change(scene=True)))
+        self.click(self.reverse, self._reverse)
+        self.follow(slate, self.update)
+        self.update(Change(scene=True))
+
+    @property
+    def _chosen(self) -> OneLine:
+        return self._slate.value.a if self.which.value == "a" else self._slate.value.b
+
+    def _load(self, name: str) -> None:
+        if name:
+            self._slate.load(PRESETS[name], "preset")
+
+    def _move(self, key: str, value: float) -> None:
+        name, line = self.which.value, replace(self._chosen, **{key: value})
+        self._slate.edit(key, self._strokes.token((name, key)), **{name: line})
+
+    def _reverse(self) -> None:
+        self._slate.edit("reverse", **{self.which.value: self._chosen.reversed()})
+
+    def update(self, change: Change) -> None:
+        """Follow the state."""
+        if change.scene:
+            for key, number in self.numbers.items():
+                number.show(getattr(self._chosen, key))
+            named = (name for name, lines in PRESETS.items() if lines == self._slate.value)
+            self.put(self.preset, value=next(named, ""))
+
+
+class LookControl(Group):
+    """What is drawn besides the lines, and from where it is seen."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        room = w.Layout(width="auto")
+        self.moments = w.Checkbox(value=True, description="moments", indent=False, layout=room)
+        self.sphere = w.Checkbox(value=True, description="unit sphere", indent=False, layout=room)
+        self.home = w.Button(description="view", icon="home", layout=room)
+        self.home.tooltip = "look from the usual side, all of it in sight"
+
+
+class TwoLinesApp(App):
+    """Two lines in space with their numbers.
+
+    Attributes
+    ----------
+    slate
+        the state: a `TwoLines`; its result is a `Pair`.
+    """
+
+    def __init__(self, slate: Slate[TwoLines, Pair]) -> None:
+        self.slate = slate
+        super().__init__(slate)
+        self.view, self.lines, self.look = SurfaceView(620, 430), LineControl(slate), LookControl()
+        self.history = HistoryControl(slate)
+        self.view.sphere("off")
+        self.of_pair, self.of_lines = w.HTML(), w.HTML()
+        self._views, self._groups = [self.view], [self.lines, self.look, self.history]
+        for box in (self.look.moments, self.look.sphere):
+            self.look.on(box, "value", lambda _: self.update(Change(scene=True)))
+        self.look.click(self.look.home, self._home)
+        self.assemble(self._grid())
+
+    def _grid(self) -> Any:
+        look = self.look
+        head = [self.lines.preset, self.history.widget, look.moments, look.sphere, look.home]
+        parts = {
+            "head": w.Box(head),
+            "hand": self.lines.widget,
+            "edit": w.VBox([self.of_pair]),
+            "right": w.VBox([self.view.widget, self.of_lines]),
+        }
+        for name, part in parts.items():
+            part.add_class(f"ruledlab-{name}")
+        return w.Box([*parts.values()]).add_class("ruledlab-grid")
+
+    def _home(self) -> None:
+        self.view.frame(*ball(self._picture()))
+
+    def _picture(self) -> Overlay:
+        return picture(
+            self.slate.result, moments=self.look.moments.value, sphere=self.look.sphere.value
+        )
+
+    def update(self, change: Change) -> None:
+        """Draw both lines and write their numbers."""
+        if change.scene:
+            self.view.overlay(self._picture())
+            self.view.describe(words(self.slate.result))
+            self.of_pair.value = pair_html(self.slate.result)
+            self.of_lines.value = lines_html(self.slate.result)
+        if change.loaded:
+            self._home()
+
+
+def two_lines(lines: TwoLines | None = None) -> TwoLinesApp:
+    """Return two oriented lines to move, with dual angle and common perpendicular.
+
+    Parameters
+    ----------
+    lines
+        where to begin; None for two skew lines.
+    """
+    return TwoLinesApp(Slate(lines or PRESETS["skew"], between))

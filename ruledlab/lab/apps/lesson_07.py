@@ -1,0 +1,267 @@
+"""Lesson 7: ū and v̄ hang one line on every point of the chart, and the curve cuts a surface out."""
+
+from __future__ import annotations
+
+import functools
+import html
+import math
+from collections.abc import Callable
+from typing import Any
+
+import ipywidgets as w
+
+from ...design import Design
+from ...geometry import Congruence
+from ...geometry.checks import Array
+from ..congruence import (
+    LOOKS,
+    Lines,
+    Place,
+    counts_words,
+    highlighted,
+    lines,
+    place,
+    place_words,
+    straightened,
+    straightened_words,
+    strip,
+)
+from ..controls import (
+    FieldControl,
+    Group,
+    HistoryControl,
+    NumberControl,
+    PointControl,
+    Strokes,
+    TimeControl,
+)
+from ..overlay import Overlay, Sheet
+from ..pad import DomainPad
+from ..palette import DARK, LIGHT, Theme
+from ..slate import Change
+from ..state import Lab
+from ..view3d import SurfaceView
+from .base import LabApp
+from .studio import _connect, _follow_theme, example
+
+__all__ = ["CongruenceApp", "dual_part"]
+
+
+def dual_part(design: Design | None = None) -> CongruenceApp:
+    """Return the app of lesson 7: the congruence of ū and v̄ around the surface of a curve.
+
+    Parameters
+    ----------
+    design
+        where to begin; None for the paper's Example 2.
+    """
+    return CongruenceApp(Lab(design or example("example_2")))
+
+
+# -- controls --------------------------------------------------------------------------------------
+
+
+class CongruenceControl(Group):
+    """What is shown of the congruence, and the place that is looked at: on the curve or off it."""
+
+    def __init__(self, lab: Lab, changed: Callable[[], None]) -> None:
+        super().__init__()
+        self._lab, self._changed, self._strokes = lab, changed, Strokes()
+        self.free: tuple[float, float] | None = None
+        self.count = 9
+        number = functools.partial(NumberControl, self)
+        self.u = number("u", "u of the place, in radians", (-3.15, 6.3), 0.01,
+                        lambda value: self._put_place(0, value))  # fmt: skip
+        self.v = number("v", "v of the place, in radians", (0.0, 3.15), 0.01,
+                        lambda value: self._put_place(1, value))  # fmt: skip
+        self.lines = number("lines", "lines of the grid each way", (5, 15), 1, self._put_count,
+                            whole=True, fixed=True)  # fmt: skip
+        self.length = number("length", "length of the drawn lines", (0.2, 12.0), 0.1,
+                             self._put_length)  # fmt: skip
+        self.focal = w.Checkbox(value=False, description="focal surfaces", indent=False)
+        self.grid = w.Checkbox(value=True, description="lines", indent=False)
+        self.develop = w.Button(
+            description="make it developable",
+            tooltip="another v̄ along this curve, so that κ̄ = 0 everywhere",
+            layout=w.Layout(width="auto"),
+        )
+        self.on(self.focal, "value", lambda _: changed())
+        self.on(self.grid, "value", lambda _: changed())
+        self.lines.show(self.count)
+        self.length.show(lab.design.length)
+        self.follow(lab, self._follow)
+
+    @property
+    def at(self) -> tuple[float, float]:
+        """The place (u, v) that is looked at."""
+        u, v = self._lab.mark.chart if self.free is None else self.free
+        return float(u), float(v)
+
+    def show(self) -> None:
+        """Show the place in the sliders."""
+        self.u.show(self.at[0])
+        self.v.show(self.at[1])
+
+    def _put_place(self, axis: int, value: float) -> None:
+        to = list(self.at)
+        to[axis] = value
+        self.free = (to[0], to[1])
+        self._changed()
+
+    def _put_count(self, count: float) -> None:
+        self.count = int(count)
+        self.lines.show(self.count)
+        self._changed()
+
+    def _put_length(self, length: float) -> None:
+        self._lab.edit("length", self._strokes.token("length"), length=length)
+
+    def _follow(self, change: Change) -> None:
+        """Return to the curve when t is moved; say what is wrong with a length."""
+        if change.error is not None and change.source == "length":
+            self.length.say(change.error.replace("`", ""))
+        elif change.scene:
+            self.length.show(self._lab.design.length)
+        if change.loaded or (change.mark and not change.scene):
+            self.free = None
+
+
+# -- the app ---------------------------------------------------------------------------------------
+
+
+class CongruenceApp(LabApp):
+    """The chart with its curve, the two fields, the congruence in space, and one line of it."""
+
+    def __init__(self, lab: Lab) -> None:
+        self._lines: Lines | None = None
+        self._strip: tuple[Sheet, ...] = ()
+        self._theme = LIGHT
+        self.control = CongruenceControl(lab, self._redraw)
+        super().__init__(lab)  # after the control: it must hear of a move before the views draw
+        self.pad, self.view = DomainPad(), SurfaceView(620, 430)
+        self.points, self.fields, self.time = PointControl(lab), FieldControl(lab), TimeControl(lab)
+        self.history = HistoryControl(lab)
+        self.legend, self.words, self.numbers, self.said = (w.HTML() for _ in range(4))
+        self._views = [self.view, self.pad]
+        self._groups = [self.control, self.points, self.fields, self.time, self.history]
+        self._releases += [
+            _connect(self.pad, self.points),
+            _follow_theme(self.pad, self.points, self.restyle),
+        ]
+        self.control.click(self.control.develop, self._develop)
+        self.view.show(frame=False)
+        self.assemble(self._layout())
+
+    def _layout(self) -> Any:
+        control = self.control
+        folded = w.Accordion([self.points.widget])
+        folded.titles = ("The curve, by numbers",)
+        head = w.Box([self.history.widget, control.grid, control.focal]).add_class("ruledlab-head")
+        hand = w.VBox([self.pad]).add_class("ruledlab-hand")
+        develop = w.VBox([control.develop, self.said])
+        edit = w.VBox([self.fields.widget, develop, folded]).add_class("ruledlab-edit")
+        sliders = (self.time, control.u, control.v, control.lines, control.length)
+        shown = [self.view.widget, self.legend, *(slider.widget for slider in sliders)]
+        right = w.VBox([*shown, self.words, self.numbers]).add_class("ruledlab-right")
+        return w.Box([head, hand, edit, right]).add_class("ruledlab-grid")
+
+    def update(self, change: Change) -> None:
+        """Draw what changed in the lab, then the congruence."""
+        super().update(change)
+        if change.scene:
+            self._lines, self._strip = None, ()
+            self.said.value = ""
+        if change.scene or change.mark:
+            self._redraw()
+
+    def restyle(self, dark: bool) -> None:
+        """Change the views and the legend to another theme."""
+        super().restyle(dark)
+        self._theme = DARK if dark else LIGHT
+        self._redraw()
+
+    def _redraw(self) -> None:
+        """Draw the congruence, the line of the place, and its numbers."""
+        control, scene, design = self.control, self.lab.result.scene, self.lab.design
+        congruence = Congruence(design.ubar, design.vbar)
+        if self._lines is None or sum(self._lines.counts.values()) != control.count**2:
+            self._lines = lines(congruence, scene, control.count)
+        at = place(congruence, *control.at)
+        over, found = highlighted(at, scene), self._lines
+        grid = found.strokes if control.grid.value else ()
+        sheets = _focal_sheets(found.focal) if control.focal.value else ()
+        self.view.overlay(
+            Overlay((*grid, *over.strokes), over.dots, (*sheets, *self._strip), over.labels)
+        )
+        mark = self.lab.mark if control.free is None else at.mark(self.lab.mark)
+        self.view.draw_cursor(mark)
+        self.pad.draw_cursor(mark)
+        control.show()
+        self._say(at)
+
+    def _say(self, at: Place) -> None:
+        lab, counts = self.lab, counts_words(self._lines.counts if self._lines else {})
+        sentence = place_words(at)
+        self.view.describe(f"{lab.result.scene.text} {counts}. {sentence}")
+        self.legend.value = _legend_html(counts, self._lines.counts, self._theme)
+        self.words.value = f'<div role="status">{html.escape(sentence)}</div>'
+        delta = lab.mark.values["delta"] if self.control.free is None else math.nan
+        pitch = lab.result.pitch
+        self.numbers.value = _numbers_html(at, delta, None if pitch is None else float(pitch.dual))
+
+    def _develop(self) -> None:
+        """Show a developable surface over the same curve until something changes."""
+        surface, design = self.lab.result.surface, self.lab.design
+        made, how = straightened(surface, design.ubar)
+        self._strip = (Sheet(strip(made, design.length), "faint", 0.45, "developable"),)
+        self._redraw()
+        text = html.escape(straightened_words(surface, made, how))
+        self.said.value = f'<div class="ruledlab-note" role="status">{text}</div>'
+
+
+def _focal_sheets(focal: tuple[Array, Array]) -> tuple[Sheet, ...]:
+    names = ("first focal surface", "second focal surface")
+    return tuple(Sheet(p, "kappa", 0.3, name) for p, name in zip(focal, names, strict=True))
+
+
+def _legend_html(counts: str, kinds: dict[str, int], theme: Theme) -> str:
+    styles = {"elliptic": "dashed"}
+    swatches = " ".join(
+        f'<span style="border-top:3px {styles.get(kind, "solid")} {getattr(theme, look)};'
+        f'display:inline-block;width:22px;margin:0 4px 3px 8px"></span>{kind}'
+        for kind, look in LOOKS.items()
+        if kinds[kind]
+    )
+    return f'<div class="ruledlab-note">{counts}. {swatches}</div>'
+
+
+def _numbers_html(at: Place, delta: float, pitch: float | None) -> str:
+    rows = (
+        ("focal points", "w₁, w₂", _pair(at.w, at.kind), "length, from the foot point"),
+        ("divergence", "", _number(at.divergence), "length"),
+        (
+            "δ of all surfaces through it",
+            "",
+            _pair(at.parameters, ""),
+            "length, least and greatest",
+        ),
+        ("δ along this curve", "δ", _number(delta), "length"),
+        ("pitch of the loop", "l", "–" if pitch is None else _number(pitch), "length"),
+    )
+    body = "".join(
+        f"<tr><td>{name} <i>{symbol}</i></td><td>{value}</td><td>{unit}</td></tr>"
+        for name, symbol, value, unit in rows
+    )
+    return f'<table class="ruledlab-numbers">{body}</table>'
+
+
+def _pair(values: Array, kind: str) -> str:
+    if kind == "elliptic":
+        return "none real"
+    return ", ".join(_number(float(value)) for value in values)
+
+
+def _number(value: float) -> str:
+    if math.isnan(value):
+        return "–"
+    return f"{value if abs(value) > 5e-7 else 0.0:.6f}".replace("-", "−")

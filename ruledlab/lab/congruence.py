@@ -1,0 +1,227 @@
+"""A congruence around one design, as plain arrays to draw and in words: no widgets here."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+
+from ..geometry import (
+    Congruence,
+    GeometryError,
+    RuledSurface,
+    developable_from_ubar,
+    tangent_developable,
+)
+from ..geometry.checks import Array
+from .overlay import Dot, Label, Overlay, Stroke
+from .scene import Mark, Scene
+
+__all__ = [
+    "LOOKS",
+    "Lines",
+    "Place",
+    "counts_words",
+    "highlighted",
+    "lines",
+    "place",
+    "place_words",
+    "straightened",
+    "straightened_words",
+    "strip",
+    "window",
+]
+
+FINE: Final = 25
+"""Places each way at which the focal surfaces are drawn."""
+
+REACH: Final = 4.0
+"""Nothing is drawn farther from the middle than this many lengths of a line."""
+
+NARROWEST: Final = 0.7
+LOOKS: Final = {"hyperbolic": "kappa", "parabolic": "delta", "elliptic": "tau"}
+MEETS: Final = {
+    "hyperbolic": "neighbouring lines meet it in two focal points",
+    "parabolic": "its two focal points coincide",
+    "elliptic": "no neighbouring line meets it, so it has no real focal point",
+    "undefined": "there is no line: a pole of the chart, or the formulas have no value",
+}
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Lines:
+    """The grid of lines over a window of the chart.
+
+    Attributes
+    ----------
+    strokes
+        one for each kind that occurs.
+    counts
+        kind to how many lines of the grid are of it.
+    focal
+        the two focal surfaces, each (N, N, 3) with NaN where there is none near.
+    """
+
+    strokes: tuple[Stroke, ...]
+    counts: dict[str, int]
+    focal: tuple[Array, Array]
+
+
+def window(chart: Array) -> Array:
+    """Return (2, 2) where the grid begins and ends in u and in v: somewhat more than the curve."""
+    known = chart[np.isfinite(chart).all(axis=1)]
+    middle, size = 0.5 * (known.min(axis=0) + known.max(axis=0)), np.ptp(known, axis=0)
+    half = 0.5 * np.maximum(1.3 * size, NARROWEST)
+    half[0] = min(half[0], math.pi)
+    return np.stack([middle - half, middle + half], axis=1)
+
+
+def lines(congruence: Congruence, scene: Scene, count: int) -> Lines:
+    """Return ``count`` × ``count`` lines about a scene, each drawn about its focal midpoint."""
+    ends, length = window(scene.chart), float(np.ptp(scene.w))
+    far = REACH * length
+    u, v = _grid(ends, count)
+    x, focal = congruence.line(u, v), congruence.focal(u, v)
+    along = focal.midpoint[:, None] + length * np.array([-0.5, 0.5])
+    pieces = x.foot[:, None] + along[..., None] * x.direction[:, None]
+    pieces[np.linalg.norm(pieces - scene.centre, axis=-1).max(axis=1) > far] = np.nan
+    pieces = np.concatenate([pieces, np.full((len(pieces), 1, 3), np.nan)], axis=1)
+    counts = {kind: int((focal.kind == kind).sum()) for kind in (*LOOKS, "undefined")}
+    strokes = tuple(
+        Stroke(pieces[focal.kind == kind].reshape(-1, 3), LOOKS[kind], 1.3, kind == "elliptic",
+               name=kind)
+        for kind in LOOKS if counts[kind]
+    )  # fmt: skip
+    net = congruence.focal(*_grid(ends, FINE)).points
+    net = np.where(np.linalg.norm(net - scene.centre, axis=-1)[..., None] > far, np.nan, net)
+    first, second = (net[:, k].reshape(FINE, FINE, 3) for k in range(2))
+    return Lines(strokes, counts, (first, second))
+
+
+def _grid(ends: Array, count: int) -> tuple[Array, Array]:
+    u, v = np.meshgrid(*(np.linspace(*pair, count) for pair in ends), indexing="ij")
+    return u.ravel(), v.ravel()
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Place:
+    """One line of the congruence and what its neighbours do.
+
+    Attributes
+    ----------
+    u, v
+        the place in the chart.
+    kind
+        as `Focal.kind`.
+    foot, direction
+        (3,) of the line; NaN where there is none.
+    w, points
+        (2,) and (2, 3) the focal points, w from the foot; NaN where they are not real.
+    parameters
+        (2,) the least and greatest δ of all surfaces of the congruence here.
+    divergence
+        ū_u + v̄_v + v̄ cot v.
+    """
+
+    u: float
+    v: float
+    kind: str
+    foot: Array
+    direction: Array
+    w: Array
+    points: Array
+    midpoint: float
+    parameters: Array
+    divergence: float
+
+    def mark(self, mark: Mark) -> Mark:
+        """Return the cursor moved here, for the views."""
+        frame = np.full((3, 3), np.nan)
+        frame[0] = self.direction
+        at = {"base": self.foot, "striction": self.foot, "frame": frame}
+        return replace(mark, chart=np.array([self.u, self.v]), **at)
+
+
+def place(congruence: Congruence, u: float, v: float) -> Place:
+    """Return the line of one place of the chart."""
+    line, focal = congruence.line(u, v), congruence.focal(u, v)
+    return Place(
+        u, v, str(focal.kind), line.foot, line.direction, focal.w, focal.points,
+        float(focal.midpoint), congruence.parameters(u, v), float(congruence.divergence(u, v)),
+    )  # fmt: skip
+
+
+def highlighted(at: Place, scene: Scene) -> Overlay:
+    """Return the line of a place as far as its focal points, with these."""
+    length = float(np.ptp(scene.w))
+    near = np.linalg.norm(at.points - scene.centre, axis=-1) <= REACH * length
+    ends = [at.midpoint - 0.5 * length, at.midpoint + 0.5 * length, *at.w[near]]
+    along = np.array([min(ends), max(ends)]) + 0.15 * length * np.array([-1.0, 1.0])
+    names = ("F₁", "F₂") if at.kind == "hyperbolic" else ("F₁ = F₂",)
+    seen = [(p, name) for p, name, ok in zip(at.points, names, near, strict=False) if ok]
+    return Overlay(
+        strokes=(Stroke(at.foot + along[:, None] * at.direction, "cursor", 4.0, name="line"),),
+        dots=tuple(Dot(point, "chosen", 12.0, name=name) for point, name in seen),
+        labels=tuple(Label(point, name, "ink") for point, name in seen),
+    )
+
+
+def place_words(at: Place) -> str:
+    """Say what kind of line this is."""
+    where = f"At u = {at.u:.4g}, v = {at.v:.4g}"
+    if at.kind == "undefined":
+        return f"{where} {MEETS[at.kind]}."
+    return f"{where} the congruence is {at.kind}: {MEETS[at.kind]}."
+
+
+def counts_words(counts: dict[str, int]) -> str:
+    """Say how many lines of the grid are of which kind."""
+    found = [f"{count} {kind}" for kind, count in counts.items() if count]
+    return f"{sum(counts.values())} lines over the chart around the curve: {', '.join(found)}"
+
+
+def straightened(surface: RuledSurface, ubar: str) -> tuple[RuledSurface, str]:
+    """Return a developable surface with the same directions, and how it was found."""
+    start = float(surface.vbar(*surface.curve.series(np.array(surface.domain[0]), 0).value))
+    try:
+        made = developable_from_ubar(surface.curve, ubar, start)
+    except GeometryError as error:
+        why = str(error).replace("`", "").split(";")[1].removeprefix(" got ")
+        return tangent_developable(surface.curve), (
+            f"Keeping ū does not work here ({why}), so these are the tangents of a curve m with "
+            "m′ = x, which have the same directions."
+        )
+    now = made.vbar(np.linspace(*surface.domain, 201))
+    return made.surface, (
+        f"ū stays, and v̄ along the curve follows from κ̄ = 0: it begins with {now[0]:.4g} as "
+        f"before and runs from {now.min():.4g} to {now.max():.4g}."
+    )
+
+
+def straightened_words(before: RuledSurface, after: RuledSurface, how: str) -> str:
+    """State κ̄ before and after, and whether the new surface closes."""
+    was, now = _greatest(before), _greatest(after)
+    size = max(was, 1.0)
+    said = "0 to rounding" if now < 1e-7 * size else f"{now:.3g}"
+    closes = "closes" if after.closure().closed else "does not close"
+    was_closed = "closed" if before.closure().closed else "open"
+    return (
+        f"The greatest |κ̄| was {was:.4g}; now it is {said}: the grey strip is developable. {how} "
+        f"The surface was {was_closed}; the developable one {closes}."
+    )
+
+
+def _greatest(surface: RuledSurface) -> float:
+    found = np.abs(surface.invariants(np.linspace(*surface.domain, 201)).kappa_bar)
+    return float(found[np.isfinite(found)].max(initial=0.0))
+
+
+def strip(surface: RuledSurface, length: float) -> Array:
+    """Return (2, 80, 3) the ends of rulings about the striction points, not far from the feet."""
+    sample = surface.sample(np.linspace(*surface.domain, 80))
+    foot, x = sample.foot, sample.direction
+    shift = np.clip(np.einsum("ti,ti->t", sample.striction - foot, x), -length, length)
+    middle = foot + np.nan_to_num(shift)[:, None] * x
+    return np.stack([middle - 0.5 * length * x, middle + 0.5 * length * x])

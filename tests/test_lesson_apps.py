@@ -1,0 +1,121 @@
+"""Every app: each control to both ends and back leaves no error and the result of before."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import ipywidgets as w
+import pytest
+from ipywidgets.widgets.widget import _instances
+
+from ruledlab import lab
+from ruledlab.lab import apps
+
+APPS: dict[str, Callable[[], Any]] = {
+    "studio": lab.studio,
+    **{name: (lambda name=name: getattr(lab, name)()) for name in apps.LESSON_APPS},
+}
+NUMBER = re.compile(r"[−-]?\d+\.\d{3,}(e[+-]?\d+)?")
+TINY = 1e-9
+
+
+def parts(widget: Any) -> Iterator[Any]:
+    """The widget and all below it."""
+    yield widget
+    for child in getattr(widget, "children", ()):
+        yield from parts(child)
+
+
+def ends(control: Any) -> tuple[Any, ...]:
+    """The values to move a control to."""
+    match control:
+        case w.FloatSlider() | w.IntSlider() | w.FloatLogSlider():
+            low, high = control.min, control.max
+            is_log = isinstance(control, w.FloatLogSlider)
+            return (control.base**low, control.base**high) if is_log else (low, high)
+        case w.Checkbox() | w.ToggleButton():
+            return (not control.value,)
+        case w.Dropdown() | w.ToggleButtons() | w.RadioButtons() | w.Select():
+            options = control._options_values
+            return (options[0], options[-1]) if options else ()
+    return ()
+
+
+def rounded(text: str) -> str:
+    """The text with its numbers rounded, and what is rounding only set to zero."""
+
+    def short(match: re.Match[str]) -> str:
+        value = float(match.group().replace("−", "-"))
+        return "0" if abs(value) < TINY else f"{value:.5g}"
+
+    return NUMBER.sub(short, text)
+
+
+def said(app: Any) -> list[str]:
+    """Everything the app says in words and numbers."""
+    return [rounded(part.value) for part in parts(app) if isinstance(part, w.HTML)]
+
+
+def defects(app: Any) -> list[str]:
+    return [group.defect.value for group in app._groups if group.defect.value]
+
+
+@pytest.fixture(params=APPS, scope="module")
+def app(request: pytest.FixtureRequest) -> Iterator[Any]:
+    made = APPS[request.param]()
+    yield made
+    made.close()
+
+
+def test_every_control_to_both_ends_and_back(app: Any) -> None:
+    controls = [part for part in parts(app) if ends(part) and not part.disabled]
+    assert controls
+    for control in controls:
+        before, value = said(app), control.value
+        words = control.description or control.tooltip or type(control).__name__
+        for end in ends(control):
+            control.value = end
+            assert defects(app) == [], words
+        control.value = value
+        assert defects(app) == [], words
+        if said(app) != before and hasattr(app, "history"):
+            app.history.reset.click()  # a menu that loads something has no way back of its own
+        assert said(app) == before, words
+
+
+def test_undo_and_redo_lead_there_and_back(app: Any) -> None:
+    sliders = [part for part in parts(app) if isinstance(part, w.FloatSlider)]
+    if not hasattr(app, "history"):
+        pytest.skip("nothing to undo")
+    app.history.reset.click()
+    for slider in sliders:
+        start = said(app)
+        slider.value = 0.5 * (slider.min + slider.max) + 3 * slider.step
+        moved = said(app)
+        if app.history.undo.disabled or moved == start:
+            continue
+        app.history.undo.click()
+        assert said(app) == start
+        app.history.redo.click()
+        assert said(app) == moved
+        app.history.undo.click()
+    assert defects(app) == []
+
+
+def test_pictures_are_said_in_words(app: Any) -> None:
+    """Each canvas and each drawing has a text for those who cannot see it."""
+    texts = "".join(part.value for part in parts(app) if isinstance(part, w.HTML))
+    drawn = texts.count("<svg")
+    assert texts.count('role="img"') >= drawn
+    assert len(re.findall(r'role="img"[^>]*aria-label="[^"]{20,}', texts)) >= max(drawn, 1)
+
+
+@pytest.mark.parametrize("name", APPS)
+def test_closing_leaves_no_widget_open(name: str) -> None:
+    before = set(_instances)
+    made = APPS[name]()
+    made.close()
+    assert set(_instances) == before
+    made.close()
