@@ -125,17 +125,10 @@ Formulas = Callable[[Series], Any]
 """A function of t that returns three components made with numpy's functions."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class BaseSource:
-    """The lines c(t) + w d(t), d ≠ 0 of any length: X = (d + ε c × d)/‖d‖ (paper, (1) and (2))."""
+class _Given:
+    """What sources made from functions of t have in common."""
 
-    base: Formulas
-    direction: Formulas
-    domain: tuple[float, float]
-    scale: float = field(init=False)
-
-    def __post_init__(self) -> None:
-        _store_checked(self, _called(base=self.base, direction=self.direction))
+    __slots__ = ()
 
     @property
     def batch_shape(self) -> tuple[int, ...]:
@@ -146,6 +139,19 @@ class BaseSource:
     def singular(self) -> str:
         """Why there is no line."""
         return NO_LINE
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class BaseSource(_Given):
+    """The lines c(t) + w d(t), d ≠ 0 of any length: X = (d + ε c × d)/‖d‖ (paper, (1) and (2))."""
+
+    base: Formulas
+    direction: Formulas
+    domain: tuple[float, float]
+    scale: float = field(init=False)
+
+    def __post_init__(self) -> None:
+        _store_checked(self, _called(base=self.base, direction=self.direction))
 
     @property
     def origin(self) -> str:
@@ -165,7 +171,7 @@ class BaseSource:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class LineSource:
+class LineSource(_Given):
     """A curve on the dual unit sphere: any dual vector over t with real part ≠ 0, normalised."""
 
     lines: Formulas
@@ -174,16 +180,6 @@ class LineSource:
 
     def __post_init__(self) -> None:
         _store_checked(self, _called(lines=self.lines))
-
-    @property
-    def batch_shape(self) -> tuple[int, ...]:
-        """One surface."""
-        return ()
-
-    @property
-    def singular(self) -> str:
-        """Why there is no line."""
-        return NO_LINE
 
     @property
     def origin(self) -> str:
