@@ -268,9 +268,11 @@ def test_parts_of_the_drawing_come_and_go(studio: StudioPage, part: str) -> None
 
 def test_more_and_fewer_plots(studio: StudioPage) -> None:
     button, height = studio.button("δ"), studio.home.plots.height
+    assert button.get_attribute("aria-pressed") == "false"
     button.click()
     more = studio.notebook.wait_change(studio.home.plots, PLOTS)
     assert more.height > height
+    assert button.get_attribute("aria-pressed") == "true"
     assert "delta" in str(
         studio.page.locator(".ruledlab-plots-picture").get_attribute("aria-label")
     )

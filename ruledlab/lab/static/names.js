@@ -1,5 +1,6 @@
 // What ipywidgets leaves out for those who use keyboard or screen reader: names for slider handles,
-// fields, menus and the player's buttons; folds that open by keyboard.
+// fields, menus and the player's buttons; toggles that say whether they are pressed; folds that open
+// by keyboard.
 
 const PLAYER = ["play or pause", "stop and go back to the start", "repeat"];
 const QUIET = 20_000; // ms without a new part after which nothing more is expected
@@ -33,14 +34,16 @@ function name(root) {
     unfold(head);
     named++;
   }
+  for (const toggle of within(root, ".widget-toggle-button:not([aria-pressed])")) {
+    reflect(toggle, "mod-active", toggle, "aria-pressed");
+    named++;
+  }
   return named;
 }
 
 /** Make the head of a fold a button. */
 function unfold(head) {
   const fold = head.parentElement;
-  const tell = () =>
-    head.setAttribute("aria-expanded", fold.classList.contains("jupyter-widget-Collapse-open"));
   head.setAttribute("role", "button");
   head.tabIndex = 0;
   head.dataset.lmSuppressShortcuts = "true"; // else JupyterLab takes Enter
@@ -49,7 +52,13 @@ function unfold(head) {
     event.preventDefault();
     head.click();
   });
-  new MutationObserver(tell).observe(fold, { attributes: true, attributeFilter: ["class"] });
+  reflect(fold, "jupyter-widget-Collapse-open", head, "aria-expanded");
+}
+
+/** Keep an attribute of a part saying whether a node has a class. */
+function reflect(node, className, part, attribute) {
+  const tell = () => part.setAttribute(attribute, node.classList.contains(className));
+  new MutationObserver(tell).observe(node, { attributes: true, attributeFilter: ["class"] });
   tell();
 }
 
