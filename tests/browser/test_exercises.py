@@ -1,0 +1,178 @@
+"""One exercise of each kind, played in a real browser from the first look to the mark."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from playwright.sync_api import Locator
+
+from .session import LabSession, NotebookPage, write_notebook
+
+KINDS = {
+    "choose": "06.1",
+    "number": "06.3",
+    "formula": "06.6",
+    "drag": "06.9",
+    "sketch": "06.11",
+    "code": "06.13",
+    "slip": "06.14",
+}
+SHOW = """\
+from ruledlab.exercises import check, exercise, find, seed
+cards = {{key: exercise(key) for key in {keys}}}
+tasks = {{key: find(key).task(seed()) for key in cards}}
+from ipywidgets import VBox
+VBox(list(cards.values()))
+"""
+
+
+@pytest.fixture(scope="module")
+def cards(lab: LabSession, tmp_path_factory: pytest.TempPathFactory) -> Iterator[NotebookPage]:
+    code = SHOW.format(keys=list(KINDS.values()))
+    path = write_notebook(tmp_path_factory.mktemp("exercises") / "exercises.ipynb", code)
+    with lab.notebook(path) as page:
+        assert page.run_all() == []
+        page.page.locator(".ruledlab-field input").first.wait_for()
+        yield page
+        assert page.errors() == []
+        assert page.console_errors == []
+
+
+def card(page: NotebookPage, key: str) -> Locator:
+    found = page.page.locator(".ruledlab-exercise").filter(
+        has=page.page.locator(".ruledlab-number", has_text=key).get_by_text(key, exact=True)
+    )
+    found.first.scroll_into_view_if_needed()
+    return found.first
+
+
+def asked(page: NotebookPage, code: str) -> Any:
+    """What an expression about `tasks` is, by JSON."""
+    return json.loads(page.kernel_exec(f"import json; print(json.dumps({code}))"))
+
+
+def done(page: NotebookPage, key: str) -> None:
+    card(page, key).get_by_text("✓ done").wait_for(timeout=20_000)
+    page.screenshot(f"exercise-{key}")
+
+
+def pick(place: Locator, row: int, button: str) -> None:
+    place.get_by_role("radio").nth(row).click()
+    place.get_by_role("button", name=button).first.click()
+
+
+def test_choose(cards: NotebookPage) -> None:
+    key = KINDS["choose"]
+    shown, right = (asked(cards, f"tasks['{key}'].{what}") for what in ("shown", "right_answer()"))
+    place = card(cards, key)
+    wrong = next(row for row, option in enumerate(shown) if option != right)
+    pick(place, wrong, "Check")
+    place.get_by_text("begun").wait_for()
+    pick(place, shown.index(right), "Check")
+    done(cards, key)
+
+
+def test_number_with_a_hint(cards: NotebookPage) -> None:
+    key = KINDS["number"]
+    place = card(cards, key)
+    place.get_by_role("button", name="Hint").click()
+    place.locator(".ruledlab-hint").first.wait_for()
+    field = place.locator(".ruledlab-field input")
+    field.fill("banana")
+    field.press("Enter")
+    place.get_by_text("banana").first.wait_for()  # a word about what cannot be read
+    field.fill(asked(cards, f"tasks['{key}'].right_answer()"))
+    field.press("Enter")
+    place.get_by_text("✓ done with 1 hint").wait_for()
+    cards.screenshot(f"exercise-{key}")
+
+
+def test_formula(cards: NotebookPage) -> None:
+    key = KINDS["formula"]
+    field = card(cards, key).locator(".ruledlab-field input")
+    answer = asked(cards, f"tasks['{key}'].right_answer()")
+    field.fill(f"({answer}) + 1")
+    field.press("Enter")
+    card(cards, key).get_by_text("begun").wait_for()
+    field.fill(f"0 + ({answer})*1")
+    field.press("Enter")
+    done(cards, key)
+
+
+def test_drag(cards: NotebookPage) -> None:
+    """The sliders of the exercise's own chart move points until its conditions hold."""
+    key = KINDS["drag"]
+    place = card(cards, key)
+    open_conditions = place.locator(".ruledlab-marks .is-open")
+    assert open_conditions.count() > 0
+    model = f"cards['{key}'].task.model"
+    for index, (u, v) in enumerate(asked(cards, f"{model}.points")):
+        cards.kernel_exec(f"cards['{key}'].box.lab.choose({index})")
+        for name, value in (("u, longitude", u), ("v, colatitude", v)):
+            field = place.get_by_role("textbox", name=name)
+            field.fill(repr(value))
+            field.press("Enter")
+        if place.get_by_text("✓ done").count():
+            break
+    done(cards, key)
+
+
+def draw(page: NotebookPage, place: Locator, parts: list[float]) -> None:
+    """Draw a curve with the pointer; its heights as parts of the frame from below."""
+    box = place.locator(".ruledlab-frame").bounding_box()
+    assert box is not None
+    last = len(parts) - 1
+    spots = [
+        (box["x"] + box["width"] * k / last, box["y"] + box["height"] * (1 - part))
+        for k, part in enumerate(parts)
+    ]
+    page.page.mouse.move(*spots[0])
+    page.page.mouse.down()
+    for spot in spots[1:]:
+        page.page.mouse.move(*spot)
+    page.page.mouse.up()
+
+
+def test_sketch(cards: NotebookPage) -> None:
+    key = KINDS["sketch"]
+    place = card(cards, key)
+    heights = asked(cards, f"[float(y) for y in tasks['{key}'].right_answer()]")
+    low, high = asked(cards, f"list(tasks['{key}'].heights)")
+    draw(cards, place, [0.9] * 20)
+    place.get_by_role("button", name="Compare").click()
+    place.get_by_text("begun").wait_for()
+    place.locator(".ruledlab-key.is-true").wait_for()  # the true curve is shown over it
+    place.get_by_role("button", name="Draw again").click()
+    place.locator(".ruledlab-sketch.is-empty").wait_for()
+    draw(cards, place, [(y - low) / (high - low) for y in heights])
+    place.get_by_role("button", name="Compare").click()
+    done(cards, key)
+
+
+def test_code(cards: NotebookPage) -> None:
+    """A value that is checked in a cell marks the card."""
+    key = KINDS["code"]
+    cards.kernel_exec(f"check('{key}', tasks['{key}'].right_answer())")
+    done(cards, key)
+
+
+def test_slip(cards: NotebookPage) -> None:
+    key = KINDS["slip"]
+    place = card(cards, key)
+    wrong = asked(cards, f"tasks['{key}'].wrong_line")
+    lines = place.locator(".ruledlab-printed")
+    pick(lines, wrong, "This line")
+    then = asked(cards, f"tasks['{key}'].right_answer()['then']")
+    kind = asked(cards, f"tasks['{key}'].then.kind")
+    if kind == "choose":
+        shown = asked(cards, f"tasks['{key}'].then.shown")
+        second = place.locator(".ruledlab-options").nth(1)
+        pick(second, shown.index(then), "Check")
+    else:
+        field = place.locator(".ruledlab-field input")
+        field.fill(then)
+        field.press("Enter")
+    done(cards, key)
