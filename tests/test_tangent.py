@@ -158,11 +158,13 @@ def test_a_cone_has_no_tangent_plane_in_its_apex():
 
 
 def test_a_plane_has_no_second_asymptotic_direction():
-    found = tangent_planes(
-        RuledSurface(Bezier([[0.0, np.pi / 2], [1.0, np.pi / 2]]), "0", "0"), 0.5, 1.0
-    )
+    equator = Bezier([[0.0, np.pi / 2], [1.0, np.pi / 2]])
+    found = tangent_planes(RuledSurface(equator, "0", "0"), [0.1, 0.5, 0.9], [1.0, 0.3])
     assert np.abs(found.principal).max() < 1e-14
     assert np.allclose(np.abs(found.normal), (0, 0, 1))
+    assert np.isnan(found.asymptotic).all()
+    assert np.isnan(found.angle).all()
+    assert found.undefined == ()
 
 
 def test_a_pole_of_the_chart_is_named():
@@ -177,3 +179,28 @@ def test_shapes_of_a_batch():
     assert found.point.shape == found.normal.shape == found.asymptotic.shape == (3, 2, 5, 4, 3)
     assert found.turn.shape == found.gauss.shape == found.angle.shape == (3, 2, 5, 4)
     assert found.principal.shape == (3, 2, 5, 4, 2)
+
+
+@given(surfaces, grid(0.0, 1.0), grid(-2.0, 2.0))
+@FEW
+def test_gauss_curvature_is_the_rate_of_the_turn_squared(surface, t, w):
+    ordinary(surface, t, w)
+    h = 1e-4
+    before, there, after = tangent_planes(surface, t, [w - h, w, w + h]).turn
+    rate = (after - before) / (2 * h)
+    assert surface.curvature(t, w).gauss == pytest.approx(-(rate**2), rel=1e-4)
+    assert there == pytest.approx(0.5 * (before + after), abs=1e-5)
+
+
+@given(surfaces, grid(0.0, 1.0))
+@FEW
+def test_a_whole_ruling_has_the_curvature_two_kappa(surface, t):
+    """∫ K W dw = −2κ: along every ruling the normal turns through half a circle."""
+    ordinary(surface, t, 0.0)
+    known = surface.invariants(t)
+    turn = np.linspace(-np.pi / 2, np.pi / 2, 203)[1:-1]  # midpoints, nearly: the ends add nothing
+    w = float(known.delta) * np.tan(turn)
+    found = tangent_planes(surface, t, w)
+    area = np.sqrt(found.forms.g11 - found.forms.g12**2)
+    total = np.trapezoid(found.gauss * area * np.abs(known.delta) / np.cos(turn) ** 2, turn)
+    assert total == pytest.approx(-2 * float(known.kappa), rel=1e-3)

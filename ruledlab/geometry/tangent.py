@@ -18,7 +18,7 @@ from .surface import FundamentalForms, Invariants, RuledSurface, Undefined
 __all__ = ["TangentPlanes", "tangent_planes"]
 
 TORSAL = 1e-12
-"""W below this fraction of √(κ² + κ̄² + τ̄²) counts as 0: rounding would choose the plane."""
+"""What is below this fraction of its size counts as 0: rounding would choose plane or direction."""
 
 NO_PLANE = (
     "κ̄ = 0 and w = 0: the striction point of a torsal ruling, where the surface has no tangent "
@@ -113,7 +113,9 @@ def tangent_planes(
         rate = _vectors(tb) * x1 + _vectors(w * k) * x2 + _vectors(kb) * x3
         way = _vectors(2 * forms.h12) * rate - _vectors(forms.h11) * x1
         sense = np.where(forms.h12 == 0, -np.sign(forms.h11), np.sign(forms.h12))
-        asymptotic = _vectors(sense) * way / np.linalg.norm(way, axis=-1, keepdims=True)
+        length = np.linalg.norm(way, axis=-1)
+        planar = length <= TORSAL * k * np.sqrt(forms.g11)
+        asymptotic = _vectors(sense / np.where(planar, np.nan, length)) * way
         spread = np.sqrt(np.maximum(mean**2 - gauss, 0.0))
         angle = np.arctan2(np.sqrt(-gauss), -side * mean)
     return TangentPlanes(
@@ -121,7 +123,7 @@ def tangent_planes(
         normal=_known(forms.normal, flat),
         turn=np.where(flat, np.nan, np.arctan2(side * w * k, side * kb)),
         asymptotic=_known(asymptotic, flat),
-        angle=np.where(gauss == 0, np.where(np.isnan(asymptotic[..., 0]), np.nan, 0.0), angle),
+        angle=np.where(planar, np.nan, np.where(gauss == 0, 0.0, angle)),
         gauss=gauss,
         mean=mean,
         principal=np.stack([mean + spread, mean - spread], axis=-1),

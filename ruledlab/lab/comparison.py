@@ -100,9 +100,11 @@ class Comparison:
 
     @property
     def largest(self) -> int | None:
-        """The index of the largest difference; None where there is none."""
+        """The first index of the largest difference, but for rounding; None where there is none."""
         size = np.abs(self.difference)
-        return int(np.nanargmax(size)) if np.isfinite(size).any() else None
+        if not np.isfinite(size).any():
+            return None
+        return int(np.argmax(size >= np.nanmax(size) * (1.0 - 1e-9)))
 
 
 def _subject(entry: Finding, surface: RuledSurface) -> RuledSurface:
@@ -139,7 +141,7 @@ def compare(
     if entry.over == "surface":
         return Comparison(t[:0], printed, mended, names, tuple(_missing(names, printed, mended)))
     reasons = tuple(_gaps(surface, t, printed, mended))
-    return Comparison(t, printed, mended, (names[axis],), reasons)
+    return Comparison(t, printed, mended, (names[axis if len(names) > 1 else 0],), reasons)
 
 
 def _missing(names: Any, printed: Array, mended: Array) -> Iterator[str]:
@@ -208,20 +210,22 @@ def in_words(entry: Finding, made: Comparison) -> str:
 
 
 def _range(curve: Array) -> str:
-    return f"from {said(np.nanmin(curve), 4)} to {said(np.nanmax(curve), 4)}"
+    low, high = (said(end, 4) for end in (np.nanmin(curve), np.nanmax(curve)))
+    return f"{low} throughout" if low == high else f"from {low} to {high}"
 
 
 def table(rows: Sequence[tuple[str, float, float]]) -> str:
     """Return rows (label, printed, mended) as a table with difference and relative error."""
     heads = ("", "as printed", "mended", "printed − mended", "relative error")
-    body = "".join(
-        "<tr>"
-        + "".join(f"<td>{cell}</td>" for cell in (label, said(p), said(m), said(p - m)))
-        + f"<td>{relative(p, m)}</td></tr>"
-        for label, p, m in rows
-    )
-    head = "".join(f"<td>{text}</td>" for text in heads)
-    return f'<table class="ruledlab-numbers"><tr>{head}</tr>{body}</table>'
+    lines = [_row(heads)]
+    lines += [_row((label, said(p), said(m), said(p - m), relative(p, m))) for label, p, m in rows]
+    return f'<table class="ruledlab-numbers">{"".join(lines)}</table>'
+
+
+def _row(cells: Sequence[str]) -> str:
+    number = 'style="text-align:right;font-weight:400;min-width:6.5em"'
+    first, *others = cells
+    return f"<tr><td>{first}</td>{''.join(f'<td {number}>{cell}</td>' for cell in others)}</tr>"
 
 
 # -- the picture -----------------------------------------------------------------------------------
@@ -239,6 +243,9 @@ def _rules(theme: Theme) -> str:
         ".is-none": f"fill:{theme.faint};opacity:.2;stroke:none",
         ".is-printed": f"stroke:{theme.ink};stroke-width:2;stroke-dasharray:7 4",
         ".is-mended": f"stroke:{theme.kappa};stroke-width:2.4",
+        "circle": f"fill:{theme.kappa};stroke:none",
+        "circle.is-printed": f"fill:{theme.ink}",
+        "circle.is-off": f"fill:{theme.tau}",
         ".is-off": f"stroke:{theme.tau};stroke-width:2",
         ".is-cursor": f"stroke:{theme.cursor};stroke-width:1.5",
     }
@@ -248,7 +255,7 @@ def _rules(theme: Theme) -> str:
 STYLE = f"<style>.ruledlab-pm{{fill:none;width:100%;max-width:{WIDTH:.0f}px}}" + "".join(
     map(_rules, (LIGHT, DARK))
 )
-STYLE += ".ruledlab-pm .is-solid{fill:currentColor}</style>"
+STYLE += "</style>"
 
 
 def picture(made: Comparison, limits: Sequence[Limits], cursor: float, words: str) -> str:
@@ -289,7 +296,7 @@ def picture(made: Comparison, limits: Sequence[Limits], cursor: float, words: st
 
 def number_lines(made: Comparison, words: str) -> str:
     """Return each value as two marks on a line of numbers, as SVG."""
-    parts = [_legend(((LEFT, "is-printed", "□ as printed"), (LEFT + 170, "is-mended", "● mended")))]
+    parts = [_text(LEFT, 20, "□ as printed"), _text(LEFT + 130, 20, "● mended")]
     pairs = zip(made.names, made.printed, made.mended, strict=True)
     for row, ((name, unit), printed, mended) in enumerate(pairs):
         y = 66.0 + 74 * row
@@ -351,9 +358,13 @@ def _frame(
         f'<path class="{kind}" d="{_path(x, curve, limits, height)}"/>' for kind, curve in drawn
     )
     view = f'x="0" y="{top}" width="{WIDTH}" height="{height}"'  # what goes beyond is cut off
-    parts.append(f'<svg {view} overflow="hidden">{inner}</svg>')
     at = _place(cursor, across, LEFT, WIDTH - RIGHT)
+    for kind, curve in drawn:
+        y = _place(np.interp(cursor, t, curve), limits, height, 0.0)
+        if 0.0 <= y <= height:  # not NaN, and in the frame
+            inner += f'<circle class="{kind}" cx="{at:.1f}" cy="{y:.1f}" r="4"/>'
     parts.append(f'<path class="is-cursor" d="M{at:.1f},{top}V{top + height}"/>')
+    parts.append(f'<svg {view} overflow="hidden">{inner}</svg>')
     return "".join(parts)
 
 

@@ -28,6 +28,7 @@ __all__ = [
     "lines",
     "place",
     "place_words",
+    "sight",
     "straightened",
     "straightened_words",
     "strip",
@@ -40,7 +41,8 @@ FINE: Final = 25
 REACH: Final = 4.0
 """Nothing is drawn farther from the middle than this many lengths of a line."""
 
-NARROWEST: Final = 0.7
+NARROWEST: Final = 1.4
+OFF_POLES: Final = 0.3
 LOOKS: Final = {"hyperbolic": "kappa", "parabolic": "delta", "elliptic": "tau"}
 MEETS: Final = {
     "hyperbolic": "neighbouring lines meet it in two focal points",
@@ -70,12 +72,19 @@ class Lines:
 
 
 def window(chart: Array) -> Array:
-    """Return (2, 2) where the grid begins and ends in u and in v: somewhat more than the curve."""
+    """Return (2, 2) where the grid begins and ends in u and in v: somewhat more than the curve.
+
+    It keeps off the poles as far as the curve does: near them lines may be anywhere.
+    """
     known = chart[np.isfinite(chart).all(axis=1)]
     middle, size = 0.5 * (known.min(axis=0) + known.max(axis=0)), np.ptp(known, axis=0)
     half = 0.5 * np.maximum(1.3 * size, NARROWEST)
     half[0] = min(half[0], math.pi)
-    return np.stack([middle - half, middle + half], axis=1)
+    ends = np.stack([middle - half, middle + half], axis=1)
+    low, high = known[:, 1].min(), known[:, 1].max()
+    if low >= 0.0 and high <= math.pi:
+        ends[1] = np.clip(ends[1], min(low, OFF_POLES), max(high, math.pi - OFF_POLES))
+    return ends
 
 
 def lines(congruence: Congruence, scene: Scene, count: int) -> Lines:
@@ -98,6 +107,17 @@ def lines(congruence: Congruence, scene: Scene, count: int) -> Lines:
     net = np.where(np.linalg.norm(net - scene.centre, axis=-1)[..., None] > far, np.nan, net)
     first, second = (net[:, k].reshape(FINE, FINE, 3) for k in range(2))
     return Lines(strokes, counts, (first, second))
+
+
+def sight(found: Lines, scene: Scene) -> tuple[Array, float]:
+    """Return centre and radius of a ball about most of the lines and of the surface."""
+    rulings = scene.base[:, None] + scene.w[:, None] * scene.direction[:, None]
+    points = [stroke.points for stroke in found.strokes] + [rulings.reshape(-1, 3)]
+    ends = np.concatenate([part[np.isfinite(part).all(axis=1)] for part in points])
+    if not len(ends):
+        return np.asarray(scene.centre), float(scene.radius)
+    centre = 0.5 * np.percentile(ends, [3.0, 97.0], axis=0).sum(axis=0)
+    return centre, float(np.percentile(np.linalg.norm(ends - centre, axis=1), 95.0))
 
 
 def _grid(ends: Array, count: int) -> tuple[Array, Array]:
@@ -184,11 +204,13 @@ def counts_words(counts: dict[str, int]) -> str:
 
 def straightened(surface: RuledSurface, ubar: str) -> tuple[RuledSurface, str]:
     """Return a developable surface with the same directions, and how it was found."""
-    start = float(surface.vbar(*surface.curve.series(np.array(surface.domain[0]), 0).value))
+    first = surface.curve.series(np.array(surface.domain[0]), 0).value
     try:
+        with np.errstate(all="ignore"):
+            start = float(surface.vbar(*first))
         made = developable_from_ubar(surface.curve, ubar, start)
     except GeometryError as error:
-        why = str(error).replace("`", "").split(";")[1].removeprefix(" got ")
+        why = (*str(error).replace("`", "").split("; "), "")[1].removeprefix("got ")
         return tangent_developable(surface.curve), (
             f"Keeping ū does not work here ({why}), so these are the tangents of a curve m with "
             "m′ = x, which have the same directions."
@@ -196,7 +218,7 @@ def straightened(surface: RuledSurface, ubar: str) -> tuple[RuledSurface, str]:
     now = made.vbar(np.linspace(*surface.domain, 201))
     return made.surface, (
         f"ū stays, and v̄ along the curve follows from κ̄ = 0: it begins with {now[0]:.4g} as "
-        f"before and runs from {now.min():.4g} to {now.max():.4g}."
+        f"before and runs from {now.min():.4g} to {now.max():.4g}.".replace("-", "−")
     )
 
 
@@ -208,7 +230,7 @@ def straightened_words(before: RuledSurface, after: RuledSurface, how: str) -> s
     closes = "closes" if after.closure().closed else "does not close"
     was_closed = "closed" if before.closure().closed else "open"
     return (
-        f"The greatest |κ̄| was {was:.4g}; now it is {said}: the grey strip is developable. {how} "
+        f"The greatest |κ̄| was {was:.4g}; now it is {said}: the green strip is developable. {how} "
         f"The surface was {was_closed}; the developable one {closes}."
     )
 

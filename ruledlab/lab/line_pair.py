@@ -35,6 +35,9 @@ REACH: Final = 2.2  # half of the length of a line that is drawn, beyond what li
 FAR: Final = 12.0  # from the origin, where feet of nearly parallel lines are no longer drawn
 ORIGIN: Final = np.zeros(3)
 COLOURS: Final = {"a": "kappa", "b": "tau"}
+BREADTH: Final = {"a": 1.7, "b": 1.0}  # A is broader, so that both are seen where they coincide
+PARTNER: Final = {"B": "A", "y": "x", "ȳ": "x̄"}
+SAME: Final = 0.02  # labels nearer to each other than this are written as one
 
 
 # -- the state and what follows from it ------------------------------------------------------------
@@ -89,7 +92,10 @@ def between(lines: TwoLines) -> Pair:
 _A = OneLine(math.pi / 2, math.pi / 4, 1.5, 0.0, 0.0)
 _LEVEL = OneLine(0.0, math.pi / 2, 0.0, 0.0, 1.0)
 PRESETS: Final = {
-    "skew": TwoLines(_A, OneLine(math.pi / 6, 2 * math.pi / 3, 0.0, 1.5, 1.0)),
+    "skew": TwoLines(
+        OneLine(math.pi / 3, 2 * math.pi / 3, -0.5, -1.5, -1.0),
+        OneLine(math.pi, 5 * math.pi / 6, -1.5, -0.5, -0.5),
+    ),
     "meeting": TwoLines(_LEVEL, OneLine(math.pi / 3, math.pi / 4, 0.5, 0.0, 1.0)),
     "perpendicular and meeting": TwoLines(_LEVEL, OneLine(math.pi / 2, math.pi / 3, 0.5, 0.0, 1.0)),
     "parallel": TwoLines(_A, replace(_A, x=-0.5, y=1.0)),
@@ -104,9 +110,10 @@ PRESETS: Final = {
 
 def picture(pair: Pair, *, moments: bool = True, sphere: bool = True) -> Overlay:
     """Return what is drawn: lines, feet, common perpendicular, and if wanted moments and sphere."""
-    near = all(np.linalg.norm(foot) < FAR for foot in (pair.across.foot_a, pair.across.foot_b))
-    parts = [_line(pair.a, "a", pair.across.foot_a if near else pair.a.foot)]
-    parts += [_line(pair.b, "b", pair.across.foot_b if near else pair.b.foot)]
+    near = _farthest(pair) < FAR
+    one = pair.across.relation in ("equal", "opposite")
+    parts = [_line(pair.a, "a", pair.across.foot_a if near else pair.a.foot, striped=one)]
+    parts += [_line(pair.b, "b", pair.across.foot_b if near else pair.b.foot, striped=one)]
     parts += [_perpendicular(pair.across)] * near
     if moments:
         parts += [_moment(pair.a, "a"), _moment(pair.b, "b")]
@@ -116,30 +123,60 @@ def picture(pair: Pair, *, moments: bool = True, sphere: bool = True) -> Overlay
     return _joined(parts)
 
 
+def _farthest(pair: Pair) -> float:
+    """Return how far from the origin a foot of the common perpendicular is."""
+    feet = pair.across.foot_a, pair.across.foot_b
+    return max(float(np.linalg.norm(foot)) for foot in feet)
+
+
 def _joined(parts: list[Overlay]) -> Overlay:
-    kinds = ("strokes", "dots", "sheets", "labels")
-    return Overlay(**{k: tuple(item for p in parts for item in getattr(p, k)) for k in kinds})
+    kinds = ("strokes", "dots", "sheets")
+    joined = {kind: tuple(item for part in parts for item in getattr(part, kind)) for kind in kinds}
+    labels: list[Label] = []
+    for label in (label for part in parts for label in part.labels):
+        _write(labels, label)
+    return Overlay(**joined, labels=tuple(labels))
 
 
-def _line(line: Line, name: str, through: Array) -> Overlay:
+def _write(labels: list[Label], label: Label) -> None:
+    """Add a label; if it is that of line B and A's is at the same place, make them one: "A = B"."""
+    for place, other in enumerate(labels):
+        near = np.linalg.norm(other.point - label.point) < SAME
+        if near and other.text == PARTNER.get(label.text):
+            labels[place] = Label(other.point, f"{other.text} = {label.text}", other.colour)
+            return
+    labels.append(label)
+
+
+def _line(line: Line, name: str, through: Array, *, striped: bool) -> Overlay:
     """Return a line with its foot point; it is drawn as far as the point ``through``."""
     place = float((through - line.foot) @ line.direction)
     ends = line.point([min(-REACH, place - 0.6), max(REACH, place + 0.6)])
-    colour = COLOURS[name]
+    points = _stripes(line, name) if striped else ends
+    colour, breadth = COLOURS[name], BREADTH[name]
     strokes = (
-        Stroke(ends, colour, 3.5, arrow=True, name=f"line {name}"),
+        Stroke(points, colour, 3.2 * breadth, arrow=True, name=f"line {name}"),
         Stroke(
             np.stack([ORIGIN, line.foot]), "faint", 1.3, dashed=True, name=f"way to foot {name}"
         ),
     )
-    dots = (Dot(line.foot, colour, 10, ring=True, name=f"foot point {name}"),)
+    dots = (Dot(line.foot, colour, 9 * breadth, ring=True, name=f"foot point {name}"),)
     return Overlay(strokes, dots, labels=(Label(ends[1], name.upper(), colour),))
 
 
-def _moment(line: Line, name: str) -> Overlay:
-    arrow = Stroke(
-        np.stack([ORIGIN, line.moment]), COLOURS[name], 2.2, arrow=True, name=f"moment {name}"
+def _stripes(line: Line, name: str) -> Array:
+    """Return every other piece of a line: the other line of the pair has those between."""
+    places = np.linspace(-REACH, REACH, 12)  # an odd number of pieces: reversed, they are the same
+    starts = np.arange(0 if name == "a" else 1, 11, 2)
+    pieces = np.stack([places[starts], places[starts + 1]], axis=1)
+    return np.pad(line.point(pieces), ((0, 0), (0, 1), (0, 0)), constant_values=np.nan).reshape(
+        -1, 3
     )
+
+
+def _moment(line: Line, name: str) -> Overlay:
+    ends, width = np.stack([ORIGIN, line.moment]), 1.9 * BREADTH[name]
+    arrow = Stroke(ends, COLOURS[name], width, arrow=True, name=f"moment {name}")
     text = {"a": "x̄", "b": "ȳ"}[name]
     return Overlay((arrow,), labels=(Label(line.moment, text, COLOURS[name]),))
 
@@ -171,7 +208,7 @@ def _sphere(pair: Pair) -> Overlay:
     sheet, equator = _globe()
     ends = {"a": pair.a.direction, "b": pair.b.direction}
     radii = [Stroke(np.stack([ORIGIN, x]), COLOURS[k], 1.2, dashed=True) for k, x in ends.items()]
-    dots = tuple(Dot(x, COLOURS[k], 11, name=f"direction {k}") for k, x in ends.items())
+    dots = tuple(Dot(x, COLOURS[k], 8 * BREADTH[k], name=f"direction {k}") for k, x in ends.items())
     labels = [Label(ends["a"], "x", COLOURS["a"]), Label(ends["b"], "y", COLOURS["b"])]
     if pair.across.relation in ("skew", "meeting"):
         arc = _arc(pair)
@@ -197,7 +234,7 @@ MANY = (
 )
 NOTES: Final = {
     "skew": "The common perpendicular is unique; it runs along x × y, and d is the way from A to B "
-    "along it, {sense}.",
+    "along it: {sense}.",
     "meeting": "The lines have one point in common, both feet are that point, and d = 0.",
     "parallel": MANY,
     "antiparallel": "The directions are opposite, θ = π. " + MANY,
@@ -221,8 +258,13 @@ def relation_words(pair: Pair) -> str:
     """Return how the lines lie, in a word or two, and what that means for d."""
     kind = str(pair.across.relation)
     square = kind in ("skew", "meeting") and abs(pair.product.real) < 1e-9
-    sense = "forwards, so d is positive" if pair.across.distance > 0 else "backwards: d is negative"
-    return f"{'perpendicular and ' if square else ''}{kind}. {NOTES[kind].format(sense=sense)}"
+    sense = "forwards, d is positive" if pair.across.distance > 0 else "backwards, d is negative"
+    far = _farthest(pair)
+    away = (
+        f" Its feet are {far:.4g} away from the origin, too far to be drawn." if far >= FAR else ""
+    )
+    name = f"{'perpendicular and ' if square else ''}{kind}"
+    return f"{name}. {NOTES[kind].format(sense=sense)}{away}"
 
 
 def words(pair: Pair) -> str:
@@ -236,8 +278,6 @@ def words(pair: Pair) -> str:
     said += [f"Angle θ = {_number(across.angle)} rad, d = {_number(across.distance)}."]
     if np.isfinite(across.line.direction).all():
         said += [f"Feet {_vector(across.foot_a)} on A and {_vector(across.foot_b)} on B."]
-        far = max(np.linalg.norm(across.foot_a), np.linalg.norm(across.foot_b)) >= FAR
-        said += ["They are too far away to be drawn."] * bool(far)
     return " ".join(["Two oriented lines.", *said, f"They are {relation_words(pair)}"])
 
 
@@ -248,9 +288,10 @@ def lines_html(pair: Pair) -> str:
         f'<th scope="col"><span style="color:{colour}">■</span> line {name}</th>'
         for colour, name in zip(colours, "AB", strict=True)
     )
+    cell = '<td style="font-weight:400;text-align:right">'
     rows = "".join(
-        f"<tr><td>{name}</td><td>{_vector(getattr(pair.a, part))}</td>"
-        f"<td>{_vector(getattr(pair.b, part))}</td></tr>"
+        f"<tr><td>{name}</td>{cell}{_vector(getattr(pair.a, part))}</td>"
+        f"{cell}{_vector(getattr(pair.b, part))}</td></tr>"
         for name, part in (
             ("direction <i>x</i>, <i>y</i>", "direction"),
             ("moment <i>x̄</i>, <i>ȳ</i> (length)", "moment"),
@@ -265,10 +306,10 @@ def pair_html(pair: Pair) -> str:
     angle = float(pair.across.angle)
     rows = (
         ("⟨x, y⟩ = cos θ", pair.product.real, ""),
-        ("⟨x, ȳ⟩ + ⟨x̄, y⟩ = −d sin θ", pair.product.dual, "length"),
+        ("⟨x, ȳ⟩ + ⟨x̄, y⟩<br>= −d sin θ", pair.product.dual, "length"),
         ("angle <i>θ</i>", angle, "rad"),
         ("angle <i>θ</i>", math.degrees(angle), "°"),
-        ("distance from A to B <i>d</i>", pair.across.distance, "length"),
+        ("distance <i>d</i>", pair.across.distance, "length"),
     )
     body = "".join(
         f"<tr><td>{name}</td><td>{_number(value)}</td><td>{unit}</td></tr>"

@@ -8,6 +8,7 @@ from typing import Any, Final
 
 import anywidget
 import ipywidgets as w
+import traitlets
 
 from ..cells import closes_with_cell
 from ..controls import Group
@@ -24,10 +25,12 @@ _STATIC: Final = pathlib.Path(__file__).parent.parent / "static"
 _STYLE: Final = (_STATIC / "studio.css").read_text(encoding="utf-8")
 
 
-class _Names(anywidget.AnyWidget):
-    """Gives the sliders and fields of an app their accessible names, in the browser."""
+class _Page(anywidget.AnyWidget):
+    """What an app needs of the page: accessible names for its parts, and word of the theme."""
 
     _esm = _STATIC / "names.js"
+
+    dark = traitlets.Bool(False).tag(sync=True, echo_update=False)
 
 
 class App(w.VBox):
@@ -53,13 +56,20 @@ class App(w.VBox):
     def assemble(self, *parts: Any) -> None:
         """Show the parts, follow the state, and close when the notebook cell is run again."""
         defects = [group.defect for group in self._groups]
-        self.children = (w.HTML(f"<style>{_STYLE}</style>"), _Names(), *parts, *defects)
+        page = _Page()
+        self.children = (w.HTML(f"<style>{_STYLE}</style>"), page, *parts, *defects)
+        page.observe(self._rethemed, "dark")
+        self._releases.append(page.unobserve_all)
         self.update(Change(scene=True, mark=True, chosen=True, loaded=True))
         closes_with_cell(self.close)
 
     def update(self, change: Change) -> None:
         """Draw what changed; a subclass says how."""
         raise NotImplementedError
+
+    def _rethemed(self, change: dict[str, Any]) -> None:
+        """Follow the page; a defect is shown where the controls show theirs."""
+        self._groups[0].guard(lambda: self.restyle(change["new"]))
 
     def restyle(self, dark: bool) -> None:
         """Change all views to the light or the dark theme."""

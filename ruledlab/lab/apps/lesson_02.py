@@ -138,7 +138,8 @@ class TwoLinesApp(App):
         return w.Box([*parts.values()]).add_class("ruledlab-grid")
 
     def _home(self) -> None:
-        self.view.frame(*ball(self._picture()))
+        centre, radius = ball(self._picture())
+        self.view.frame(centre, 0.92 * radius)
 
     def _picture(self) -> Overlay:
         return picture(

@@ -3,38 +3,48 @@
 from __future__ import annotations
 
 import html
-import re
-from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import ipywidgets as w
 import numpy as np
 
 from ...design import Design
-from ...geometry.checks import Array, GeometryError
-from ...geometry.motion import FrameEquations, Screw, StrictionLength, frame_equations, screw
-from ...geometry.special import SpecialRulings, special_rulings
+from ...geometry.checks import GeometryError
+from ...geometry.motion import StrictionLength, frame_equations, screw
+from ...geometry.special import special_rulings
+from ..along import (
+    MOST,
+    Place,
+    compared_html,
+    equations_html,
+    found_words,
+    places,
+    screw_html,
+    screw_strokes,
+    screw_words,
+    special_strokes,
+)
+from ..arc_plots import ArcPlots, axis_note
 from ..controls import (
     GalleryControl,
     Group,
     HistoryControl,
     PointControl,
-    Readouts,
     TimeControl,
     error_html,
     plain,
 )
-from ..overlay import Dot, Label, Overlay, Stroke
+from ..overlay import Overlay
 from ..pad import DomainPad
-from ..plots import QUANTITIES, CurvePlots
-from ..scene import SYMBOLS, Mark, Scene
+from ..plots import QUANTITIES
+from ..scene import SYMBOLS
 from ..slate import Change
 from ..state import Lab
 from ..view3d import SurfaceView
 from .base import LabApp
 from .studio import _connect, _follow_theme
 
-__all__ = ["AlongTheRulings", "Place", "along_the_rulings", "places"]
+__all__ = ["START", "AlongTheRulings", "along_the_rulings"]
 
 START: Final = Design(
     ((0.0, np.pi / 4), (2 * np.pi, np.pi / 4)),
@@ -46,16 +56,7 @@ START: Final = Design(
 )
 """δ = 0.6 + 1.2 cos 3u, κ = τ = √2 π: torsal where cos 3u = −1/2, that is t = 1/9, 2/9, 4/9 …"""
 
-RATES: Final = ("kappa", "kappa_bar", "tau", "tau_bar")
 LIFT: Final = 0.5
-MOST: Final = 12
-"""Special rulings that get a button each."""
-
-EQUATIONS: Final = (
-    ("x₁′ = κx₂", "x̄₁′ = κ̄x₂ + κx̄₂"),
-    ("x₂′ = −κx₁ + τx₃", "x̄₂′ = −κ̄x₁ + τ̄x₃ − κx̄₁ + τx̄₃"),
-    ("x₃′ = −τx₂", "x̄₃′ = −τ̄x₂ − τx̄₂"),
-)
 
 
 def along_the_rulings(design: Design | None = None, cursor: float = 0.05) -> AlongTheRulings:
@@ -71,196 +72,6 @@ def along_the_rulings(design: Design | None = None, cursor: float = 0.05) -> Alo
     return AlongTheRulings(Lab(design or START, cursor))
 
 
-# ---- what there is to show: no widgets ----------------------------------------------------------
-
-
-@dataclass(frozen=True, slots=True)
-class Place:
-    """One special ruling: its t, its kind, and what is special in a few words."""
-
-    t: float
-    kind: str
-    word: str
-
-
-def places(found: SpecialRulings) -> tuple[Place, ...]:
-    """Return the single special rulings in their order."""
-    crossing = "κ̄ = δ = 0, and κ̄ changes its sign"
-    touching = "κ̄ = δ = 0, and κ̄ keeps its sign"
-    single = [
-        Place(float(t), "torsal", touching if touches else crossing)
-        for t, touches in zip(found.torsal, found.touching, strict=True)
-    ]
-    single += [Place(float(t), "cylindrical", "κ = 0") for t in found.cylindrical]
-    return tuple(sorted(single, key=lambda place: place.t))
-
-
-def found_words(found: SpecialRulings) -> str:
-    """Say in words which special rulings there are."""
-    single = places(found)
-    said = [
-        f"{word} from t = {a:.4g} to {b:.4g}."
-        for word, stretches in (
-            ("Torsal throughout (κ̄ = 0, developable)", found.developable),
-            ("Cylindrical throughout (κ = 0)", found.cylinders),
-        )
-        for a, b in stretches
-    ]
-    if single:
-        count = f"{len(single)} special ruling" + ("s" if len(single) > 1 else "")
-        many = f", of which the first {MOST} have a button" if len(single) > MOST else ""
-        said.append(f"{count}{many}. Press one to go there.")
-    return " ".join(said) or "No torsal and no cylindrical ruling: κ and κ̄ have no zero."
-
-
-def ruling_ends(design: Design, surface: Any, t: Array) -> Array:
-    """Return (N, 2, 3) both ends of the drawn rulings at t."""
-    base = surface.striction(t) if design.base == "striction" else surface.foot(t)
-    half = 0.5 * design.length * surface.line(t).direction
-    return np.stack([base - half, base + half], axis=1)
-
-
-def special_strokes(design: Design, surface: Any, single: tuple[Place, ...]) -> Overlay:
-    """Return the special rulings as strokes, numbered at their ends as the buttons are."""
-    t = np.array([place.t for place in single])
-    ends = ruling_ends(design, surface, t)
-    inks = ["delta" if place.kind == "torsal" else "kappa" for place in single]
-    numbered = list(enumerate(zip(ends, inks, strict=True), 1))
-    return Overlay(
-        strokes=tuple(Stroke(pair, ink, 4.0, name=f"special {i}") for i, (pair, ink) in numbered),
-        labels=tuple(Label(pair[1], str(i), ink) for i, (pair, ink) in numbered),
-    )
-
-
-def screw_strokes(now: Screw, striction: Array, length: float) -> Overlay:
-    """Return the screw axis with its pitch, and the way to it from the striction point."""
-    axis = np.array([-0.6, 0.6])[:, None] * length * now.axis.direction + now.point
-    return Overlay(
-        strokes=(
-            Stroke(axis, "ink", 2.5, dashed=True, arrow=True, name="screw axis"),
-            Stroke(np.stack([striction, now.point]), "faint", 1.5, name="along x₂"),
-        ),
-        dots=(Dot(now.point, "ink", 7.0),),
-        labels=(Label(axis[1], f"h = {signed(float(now.pitch), 3)}", "ink"),),
-    )
-
-
-def over_arc(scene: Scene, s: Array) -> Scene:
-    """Return the scene with s for t, and κ, κ̄, τ, τ̄ for each unit of s instead of t."""
-    speed = np.hypot(scene.curves["kappa_bar"], scene.curves["tau_bar"])
-    per = np.divide(1.0, speed, out=np.full(speed.shape, np.nan), where=speed > 0)
-    curves = {n: y * per if n in RATES else y for n, y in scene.curves.items()}
-    return replace(scene, t=s, curves=curves)
-
-
-def mark_over_arc(mark: Mark, s: float) -> Mark:
-    """Return the mark with s for t, as `over_arc` does for a scene."""
-    speed = np.hypot(mark.values["kappa_bar"], mark.values["tau_bar"])
-    per = 1.0 / speed if speed > 0 else np.nan
-    values = {n: y * per if n in RATES else y for n, y in mark.values.items()}
-    return replace(mark, t=s, values=values)
-
-
-def signed(value: float, digits: int = 4) -> str:
-    """Return a number with a minus sign that is one; a zero has none."""
-    if not np.isfinite(value):
-        return "–"
-    text = f"{value:.{digits}f}"
-    return text.replace("-", "−" if float(text) else "")
-
-
-def equations_html(both: FrameEquations, largest: float) -> str:
-    """Return the frame equations at one t as a table: left side, right side, residual."""
-    rows = "".join(
-        f"<tr><td>{EQUATIONS[i][j]}</td><td>{_vector(both.left[i, j])}</td>"
-        f"<td>{_vector(both.right[i, j])}</td><td>{_tiny(both.residual[i, j])}</td></tr>"
-        for i in range(3)
-        for j in range(2)
-    )
-    return (
-        '<div style="overflow-x:auto"><table class="ruledlab-numbers" style="font-size:13px">'
-        "<tr><th>equation</th><th>left: the frame differentiated</th>"
-        "<th>right: frame and invariants</th>"
-        f'<th style="white-space:nowrap">|left − right|</th></tr>{rows}</table></div>'
-        f'<div class="ruledlab-note">Largest residual over all drawn rulings: {_tiny(largest)}. '
-        "Both sides are taken by t, whatever the plots are drawn over.</div>"
-    )
-
-
-def _vector(entries: Array) -> str:
-    return f"({', '.join(signed(float(x)) for x in entries)})"
-
-
-def _tiny(value: float) -> str:
-    return f"{value:.1e}".replace("-", "−") if np.isfinite(value) else "–"
-
-
-# ---- views and controls -------------------------------------------------------------------------
-
-
-class ArcPlots(CurvePlots):
-    """The plots over t, or over the striction arc length s while `length` is set."""
-
-    length: StrictionLength | None = None
-
-    def draw(self, scene: Scene, mark: Mark | None = None) -> None:
-        """Show a scene's curves over t or s."""
-        if self.length is not None:
-            scene = over_arc(scene, self.length.s(scene.t))
-        super().draw(scene, mark and self._moved(mark))
-
-    def draw_cursor(self, mark: Mark) -> None:
-        """Move the cursor."""
-        super().draw_cursor(self._moved(mark))
-
-    def t_of(self, place: float) -> float:
-        """Return the t of a place on the axis."""
-        return place if self.length is None else float(self.length.t(place))
-
-    def _moved(self, mark: Mark) -> Mark:
-        return mark if self.length is None else mark_over_arc(mark, float(self.length.s(mark.t)))
-
-    def _strips(self, theme: Any, width: int) -> tuple[Any, ...]:
-        strips = super()._strips(theme, width)
-        if self.length is None:
-            return strips
-        named = [(s, replace(s.quantity, unit=_by_arc(s.quantity.unit))) for s in strips]
-        return tuple(replace(strip, quantity=quantity) for strip, quantity in named)
-
-    def _show(self) -> None:
-        with self.widget.hold_sync():
-            super()._show()
-            if self.length is not None:
-                *others, last = self.widget.strips
-                self.widget.strips = [*others, _axis_named_s(last, self._theme.ink)]
-
-    def _note(self, strip: Any) -> dict[str, Any]:
-        note = super()._note(strip)
-        return note | {"texts": [_by_arc(text) for text in note.get("texts", [])]}
-
-    def _in_words(self) -> str:
-        return _by_arc(super()._in_words()) if self.length is not None else super()._in_words()
-
-    def _cursor(self) -> dict[str, Any]:
-        cursor = super()._cursor()
-        spoken = {n: _by_arc(cursor[n]) for n in ("label", "spoken") if n in cursor}
-        return cursor | spoken if self.length is not None else cursor
-
-
-def _by_arc(text: str) -> str:
-    """Say s where t is said."""
-    return re.sub(r"\bt\b", "s", text)
-
-
-def _axis_named_s(svg: str, ink: str) -> str:
-    """Write s at the end of the axis below the last strip, where t is the text written last."""
-    start = svg.rindex('<g id="text_')
-    place = re.search(r"translate\(([\d.]+) ([\d.]+)\)", svg[start:])
-    x, y = place.groups() if place else ("0", "0")
-    style = f"fill:{ink};font:italic 15px 'DejaVu Sans',sans-serif"
-    return f'{svg[:start]}<text x="{x}" y="{y}" style="{style}">s</text></g></g></svg>'
-
-
 class PlotControl(Group):
     """Which invariants are plotted, and over what."""
 
@@ -268,7 +79,7 @@ class PlotControl(Group):
         super().__init__()
         self._lab, self._plots = lab, plots
         self.axis = w.ToggleButtons(options=[("over t", "t"), ("over s", "s")])
-        self.axis.style.button_width = "72px"
+        self.axis.style.button_width = "62px"
         self.axis.tooltips = ["the parameter t", "the arc length s of the striction curve"]
         self.note, self.error = w.HTML(), w.HTML()
         self.toggles = {name: self._toggle(name) for name in SYMBOLS}
@@ -277,7 +88,7 @@ class PlotControl(Group):
         self.on(self.axis, "value", lambda _: self._redraw())
 
     def _toggle(self, name: str) -> Any:
-        layout = w.Layout(width="40px")
+        layout = w.Layout(width="36px")
         button = w.ToggleButton(name in self._plots.names, description=SYMBOLS[name], layout=layout)
         button.tooltip = f"plot {QUANTITIES[name].word}"
         self.on(button, "value", lambda _: self._choose())
@@ -305,7 +116,7 @@ class PlotControl(Group):
         except GeometryError as error:
             self.put(self.error, value=error_html(plain(str(error))))
             self.put(self.axis, value="t")
-        self.put(self.note, value=_axis_note(self._plots.length))
+        self.put(self.note, value=axis_note(self._plots.length))
 
 
 def _length_of(lab: Lab) -> StrictionLength:
@@ -313,17 +124,6 @@ def _length_of(lab: Lab) -> StrictionLength:
     if length.total < 1e-9 * lab.design.length:
         raise GeometryError("s must grow along the striction curve; this one is a point: use t")
     return length
-
-
-def _axis_note(length: StrictionLength | None) -> str:
-    said = (
-        "Over the parameter t: κ, κ̄, τ, τ̄ for each unit of t."
-        if length is None
-        else f"Over the arc length s of the striction curve, 0 … {length.total:.4g}: κ/s′, κ̄/s′ = "
-        "sin σ, τ/s′, τ̄/s′ = cos σ with s′ = √(κ̄² + τ̄²), and σ, δ as they are. No change of "
-        "parameter alters these curves."
-    )
-    return f'<div class="ruledlab-note">{said}</div>'
 
 
 class SpecialControl(Group):
@@ -379,7 +179,7 @@ class ChangeControl(Group):
             return
         if word == "reversed":
             self._lab.move_cursor(sum(self._lab.result.surface.domain) - self._lab.cursor)
-        self.put(self.table, value=_compared(word, before, _numbers(self._lab)))
+        self.put(self.table, value=compared_html(word, before, _numbers(self._lab)))
 
     def _reversed(self) -> Design:
         return self._lab.design.with_(points=self._lab.design.points[::-1])
@@ -401,25 +201,6 @@ def _numbers(lab: Lab) -> dict[str, float]:
     return values | {"h": float(screw(lab.result.surface, lab.cursor).pitch)}
 
 
-def _compared(word: str, before: dict[str, float], after: dict[str, float]) -> str:
-    pairs = [(name, signed(before[name]), signed(after[name])) for name in before]
-    head = "".join(f"<th>{name}</th>" for name, _, _ in pairs)
-    rows = "".join(
-        f"<tr><th>{label}</th>"
-        + "".join(
-            f"<td>{'<b>' + pair[i] + '</b>' if pair[1] != pair[2] else pair[i]}</td>"
-            for pair in pairs
-        )
-        + "</tr>"
-        for i, label in ((1, "before"), (2, word))
-    )
-    style = "overflow-x:auto"
-    return (
-        f'<div style="{style}" role="status"><table style="font-size:13px">'
-        f"<tr><th>this ruling</th>{head}</tr>{rows}</table></div>"
-    )
-
-
 class AlongTheRulings(LabApp):
     """Surface, plots, screw, special rulings and frame equations under one cursor."""
 
@@ -427,18 +208,14 @@ class AlongTheRulings(LabApp):
         super().__init__(lab)
         self.view, self.pad = SurfaceView(480, 400), DomainPad()
         self.plots = ArcPlots(("kappa_bar", "tau_bar", "sigma", "delta"))
-        self.time, self.history, self.gallery = TimeControl(lab), HistoryControl(lab), None
-        self.gallery, self.points, self.words = (
-            GalleryControl(lab),
-            PointControl(lab),
-            Readouts(lab),
-        )
+        self.time, self.history = TimeControl(lab), HistoryControl(lab)
+        self.gallery, self.points = GalleryControl(lab), PointControl(lab)
         self.axis, self.special = PlotControl(lab, self.plots), SpecialControl(lab)
         self.changes = ChangeControl(lab)
-        self.screw, self.equations = w.HTML(), w.HTML()
+        self.screw, self.equations, self.words = w.HTML(), w.HTML(), w.HTML()
         self._fixed, self._largest = Overlay(), 0.0
         self._views = [self.plots, self.view, self.pad]
-        self._groups = [self.time, self.history, self.gallery, self.points, self.words]
+        self._groups = [self.time, self.history, self.gallery, self.points]
         self._groups += [self.axis, self.special, self.changes]
         self._releases += [
             _connect(self.pad, self.points),
@@ -452,9 +229,8 @@ class AlongTheRulings(LabApp):
         left = [self.view.widget, self.time.widget, self.screw, self.special.widget]
         pair = w.HBox([w.VBox(left), w.VBox([self.axis.widget, self.plots.widget])])
         chart = w.HBox([self.pad, self.points.widget]).add_class("ruledlab-pair")
-        folded = w.Accordion([chart, self.words.words])
+        folded = w.Accordion([chart, self.words])
         folded.titles = ("The chart: move the control points", "In words")
-        folded.observe(lambda change: self.words.listen(change["new"] == 1), "selected_index")
         return (
             head.add_class("ruledlab-head"),
             self.changes.widget,
@@ -470,14 +246,15 @@ class AlongTheRulings(LabApp):
     def update(self, change: Change) -> None:
         """Draw what changed."""
         if change.scene:
-            self._find()
+            self.axis.measure()
         super().update(change)
+        if change.scene:
+            self._find()  # the search takes longest: the pictures are on their way by now
         if change.scene or change.mark:
             self._follow()
 
     def _find(self) -> None:
         """Find what depends on the surface alone."""
-        self.axis.measure()
         self.special.find()
         result = self.lab.result
         self._fixed = special_strokes(result.design, result.surface, self.special.single)
@@ -498,32 +275,13 @@ class AlongTheRulings(LabApp):
                 (*self._fixed.labels, *moving.labels),
             )
         )
-        self.screw.value = _screw_html(now, lab.mark.striction)
+        self.screw.value = screw_html(now, lab.mark.striction)
         self.equations.value = equations_html(frame_equations(surface, lab.cursor), self._largest)
-        self.view.describe(f"{lab.result.scene.text} {lab.mark.text} {_screw_words(now)}")
+        said = (lab.result.scene.text, lab.mark.text, screw_words(now))
+        self.view.describe(" ".join(said))
+        self.words.value = "".join(f"<p>{html.escape(text)}</p>" for text in said)
 
     def restyle(self, dark: bool) -> None:
         """Change all views to the light or the dark theme."""
         super().restyle(dark)
         self._follow()
-
-
-def _screw_words(now: Screw) -> str:
-    if not np.isfinite(now.pitch):
-        return "There is no frame and no screw: κ = 0."
-    return f"The frame screws with pitch h = {signed(float(now.pitch))} about the dashed axis."
-
-
-def _screw_html(now: Screw, striction: Array) -> str:
-    away = float(np.linalg.norm(now.point - striction))
-    rows = (
-        ("screw pitch", "h", float(now.pitch), "length per rad"),
-        ("angular speed", "√(κ² + τ²)", float(now.angular_speed), "rad per t"),
-        ("axis from striction point", "along x₂", away, "length"),
-    )
-    body = "".join(
-        f"<tr><td>{name} <i>{html.escape(symbol)}</i></td><td>{signed(value)}</td>"
-        f"<td>{unit}</td></tr>"
-        for name, symbol, value, unit in rows
-    )
-    return f'<table class="ruledlab-numbers">{body}</table>'

@@ -11,7 +11,7 @@ from typing import Any
 import ipywidgets as w
 
 from ...design import Design
-from ...geometry import Congruence
+from ...geometry import Congruence, GeometryError
 from ...geometry.checks import Array
 from ..congruence import (
     LOOKS,
@@ -22,6 +22,7 @@ from ..congruence import (
     lines,
     place,
     place_words,
+    sight,
     straightened,
     straightened_words,
     strip,
@@ -34,6 +35,8 @@ from ..controls import (
     PointControl,
     Strokes,
     TimeControl,
+    error_html,
+    plain,
 )
 from ..overlay import Overlay, Sheet
 from ..pad import DomainPad
@@ -68,7 +71,7 @@ class CongruenceControl(Group):
         super().__init__()
         self._lab, self._changed, self._strokes = lab, changed, Strokes()
         self.free: tuple[float, float] | None = None
-        self.count = 9
+        self.count = 7
         number = functools.partial(NumberControl, self)
         self.u = number("u", "u of the place, in radians", (-3.15, 6.3), 0.01,
                         lambda value: self._put_place(0, value))  # fmt: skip
@@ -78,12 +81,21 @@ class CongruenceControl(Group):
                             whole=True, fixed=True)  # fmt: skip
         self.length = number("length", "length of the drawn lines", (0.2, 12.0), 0.1,
                              self._put_length)  # fmt: skip
-        self.focal = w.Checkbox(value=False, description="focal surfaces", indent=False)
-        self.grid = w.Checkbox(value=True, description="lines", indent=False)
+        room = w.Layout(width="auto")
+        self.focal = w.Checkbox(
+            value=False, description="focal surfaces", indent=False, layout=room
+        )
+        self.grid = w.Checkbox(value=True, description="lines", indent=False, layout=room)
+        self.home = w.Button(
+            description="view",
+            icon="home",
+            tooltip="look from the usual side, all of it in sight",
+            layout=room,
+        )
         self.develop = w.Button(
             description="make it developable",
             tooltip="another v̄ along this curve, so that κ̄ = 0 everywhere",
-            layout=w.Layout(width="auto"),
+            layout=w.Layout(width="auto", align_self="flex-start"),
         )
         self.on(self.focal, "value", lambda _: changed())
         self.on(self.grid, "value", lambda _: changed())
@@ -149,6 +161,7 @@ class CongruenceApp(LabApp):
             _follow_theme(self.pad, self.points, self.restyle),
         ]
         self.control.click(self.control.develop, self._develop)
+        self.control.click(self.control.home, self._home)
         self.view.show(frame=False)
         self.assemble(self._layout())
 
@@ -156,7 +169,9 @@ class CongruenceApp(LabApp):
         control = self.control
         folded = w.Accordion([self.points.widget])
         folded.titles = ("The curve, by numbers",)
-        head = w.Box([self.history.widget, control.grid, control.focal]).add_class("ruledlab-head")
+        head = w.Box([self.history.widget, control.home, control.grid, control.focal]).add_class(
+            "ruledlab-head"
+        )
         hand = w.VBox([self.pad]).add_class("ruledlab-hand")
         develop = w.VBox([control.develop, self.said])
         edit = w.VBox([self.fields.widget, develop, folded]).add_class("ruledlab-edit")
@@ -173,6 +188,13 @@ class CongruenceApp(LabApp):
             self.said.value = ""
         if change.scene or change.mark:
             self._redraw()
+        if change.loaded or (change.scene and change.source == "pair"):
+            self._home()
+
+    def _home(self) -> None:
+        """Bring all lines into sight: a named choice may hang them somewhere else."""
+        if self._lines is not None:
+            self.view.frame(*sight(self._lines, self.lab.result.scene))
 
     def restyle(self, dark: bool) -> None:
         """Change the views and the legend to another theme."""
@@ -204,7 +226,7 @@ class CongruenceApp(LabApp):
         sentence = place_words(at)
         self.view.describe(f"{lab.result.scene.text} {counts}. {sentence}")
         self.legend.value = _legend_html(counts, self._lines.counts, self._theme)
-        self.words.value = f'<div role="status">{html.escape(sentence)}</div>'
+        self.words.value = f"<div>{html.escape(sentence)}</div>"
         delta = lab.mark.values["delta"] if self.control.free is None else math.nan
         pitch = lab.result.pitch
         self.numbers.value = _numbers_html(at, delta, None if pitch is None else float(pitch.dual))
@@ -212,8 +234,12 @@ class CongruenceApp(LabApp):
     def _develop(self) -> None:
         """Show a developable surface over the same curve until something changes."""
         surface, design = self.lab.result.surface, self.lab.design
-        made, how = straightened(surface, design.ubar)
-        self._strip = (Sheet(strip(made, design.length), "faint", 0.45, "developable"),)
+        try:
+            made, how = straightened(surface, design.ubar)
+        except GeometryError as error:
+            self.said.value = error_html(plain(str(error)))
+            return
+        self._strip = (Sheet(strip(made, design.length), "sigma", 0.5, "developable"),)
         self._redraw()
         text = html.escape(straightened_words(surface, made, how))
         self.said.value = f'<div class="ruledlab-note" role="status">{text}</div>'
@@ -240,10 +266,10 @@ def _numbers_html(at: Place, delta: float, pitch: float | None) -> str:
         ("focal points", "w₁, w₂", _pair(at.w, at.kind), "length, from the foot point"),
         ("divergence", "", _number(at.divergence), "length"),
         (
-            "δ of all surfaces through it",
+            "range of δ here",
             "",
             _pair(at.parameters, ""),
-            "length, least and greatest",
+            "length, over all directions",
         ),
         ("δ along this curve", "δ", _number(delta), "length"),
         ("pitch of the loop", "l", "–" if pitch is None else _number(pitch), "length"),

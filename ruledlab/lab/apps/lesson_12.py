@@ -5,7 +5,6 @@ The findings are those of `ruledlab.printed`; this app shows both sides of one o
 
 from __future__ import annotations
 
-import functools
 import html
 import threading
 from collections.abc import Callable
@@ -77,7 +76,7 @@ def printed_and_mended(
 class FindingControl(Group):
     """Which finding is looked at; for some of them also at which w, and which coordinate."""
 
-    def __init__(self, lab: Lab, key: str, changed: Callable[[], None]) -> None:
+    def __init__(self, lab: Lab, key: str, changed: Callable[[bool], None]) -> None:
         super().__init__()
         self._lab, self._changed, self.height = lab, changed, 0.5
         self.menu = w.Dropdown(
@@ -86,8 +85,9 @@ class FindingControl(Group):
             layout=w.Layout(width="auto", flex="1 1 260px", max_width="560px"),
         )
         self.menu.tooltip = "the findings, in the order of the paper"
-        self.axis = w.Dropdown(options=list(zip("xyz", range(3), strict=True)), value=0)
-        self.axis.layout = w.Layout(width="70px")
+        self.axis = w.Dropdown(
+            options=list(zip("xyz", range(3), strict=True)), value=0, layout=w.Layout(width="70px")
+        )
         self.axis.tooltip = "coordinate"
         self.own = w.Button(icon="picture-o", layout=w.Layout(width="auto"))
         self.w = NumberControl(
@@ -95,7 +95,7 @@ class FindingControl(Group):
         )
         self.bar = w.HBox([self.menu, self.axis, self.own]).add_class("ruledlab-bar")
         self.on(self.menu, "value", lambda _: self._show())
-        self.on(self.axis, "value", lambda _: changed())
+        self.on(self.axis, "value", lambda _: changed(True))
         self.click(self.own, self._load)
         self.follow(lab, lambda change: self._offer() if change.scene else None)
         self.w.show(self.height)
@@ -112,11 +112,11 @@ class FindingControl(Group):
     def _set_height(self, height: float) -> None:
         self.height = height
         self.w.show(height)
-        self._changed()
+        self._changed(False)
 
     def _show(self) -> None:
         self._arrange()
-        self._changed()
+        self._changed(True)
 
     def _arrange(self) -> None:
         """Show the controls that this finding needs."""
@@ -144,8 +144,8 @@ class PrintedAndMended(LabApp):
 
     def __init__(self, lab: Lab, key: str = "tau") -> None:
         super().__init__(lab)
-        self._lock, self._limits, self.comparison = threading.RLock(), None, None
-        self.chooser = FindingControl(lab, key, functools.partial(self._compare, anew=True))
+        self._drawing, self._axes, self.comparison = threading.RLock(), None, None
+        self.chooser = FindingControl(lab, key, self._evaluate)
         self.formulas, self.note, self.picture, self.numbers = w.HTMLMath(), *_htmls(3)
         self.pad, self.points, self.fields = DomainPad(), PointControl(lab), FieldControl(lab)
         self.time, self.history = TimeControl(lab), HistoryControl(lab)
@@ -155,7 +155,7 @@ class PrintedAndMended(LabApp):
         self._groups.append(self.gallery)
         guard = self.points.guard
         self._releases += [
-            self.pad.on_request(lambda request: guard(lambda: self._ask(request))),
+            self.pad.on_request(lambda request: guard(lambda: self._serve(request))),
             self.pad.on_theme(lambda dark: guard(lambda: self.restyle(dark))),
         ]
         design = w.HBox([self.gallery.widget, self.history.widget]).add_class("ruledlab-bar")
@@ -169,19 +169,20 @@ class PrintedAndMended(LabApp):
             self.note,
             design,
             w.HBox([self.pad, edit]).add_class("ruledlab-pair"),
+            self.gallery.note,
         )
 
     def update(self, change: Change) -> None:
         """Follow the lab."""
         super().update(change)
         if change.scene:
-            self._compare(anew=change.loaded)
+            self._evaluate(anew=change.loaded)
         elif change.mark:
-            self._draw()
+            self._redraw()
 
-    def _compare(self, anew: bool) -> None:
+    def _evaluate(self, anew: bool) -> None:
         """Evaluate the chosen finding; with ``anew`` the axes are chosen afresh."""
-        with self._lock:
+        with self._drawing:
             chosen = self.chooser
             self.formulas.value = formulas_html(chosen.entry)
             try:
@@ -191,12 +192,14 @@ class PrintedAndMended(LabApp):
             except GeometryError as error:
                 self.comparison = None
                 self.note.value = error_html(plain(str(error)))
-            self._limits = None if anew or self.comparison is None else self._limits
-            self._draw()
+            self._axes = None if anew or self.comparison is None else self._axes
+            self._redraw()
 
-    def _draw(self) -> None:
-        with self._lock:
+    def _redraw(self) -> None:
+        with self._drawing:
             made = self.comparison
+            over_t = made is not None and made.t.size > 0
+            self.time.widget.layout.display = None if over_t else "none"
             if made is None:
                 self.picture.value = self.numbers.value = ""
             elif made.t.size:
@@ -205,10 +208,10 @@ class PrintedAndMended(LabApp):
                 self._draw_numbers(made)
 
     def _draw_curves(self, made: Comparison) -> None:
-        old = self._limits or (None, None)
+        old = self._axes or (None, None)
         both = np.concatenate((made.printed, made.mended))
         limits = sticky_limits(both, old[0]), sticky_limits(_true(made.difference), old[1])
-        self._limits = limits
+        self._axes = limits
         entry, cursor = self.chooser.entry, self.lab.cursor
         words = " ".join((in_words(entry, made), *excursions(made, limits[0])))
         self.picture.value = picture(made, limits, cursor, words)
@@ -233,7 +236,7 @@ class PrintedAndMended(LabApp):
         self.numbers.value = table([(f"{name} ({unit})", p, m) for (name, unit), p, m in rows])
         self.note.value = _note(words)
 
-    def _ask(self, request: PadRequest) -> None:
+    def _serve(self, request: PadRequest) -> None:
         """Do what the hand asks for in the chart."""
         points, to = self.points, (request.u, request.v)
         match request.kind:

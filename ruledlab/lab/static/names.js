@@ -1,6 +1,6 @@
 // What ipywidgets leaves out for those who use keyboard or screen reader: names for slider handles,
 // fields, menus and the player's buttons; toggles that say whether they are pressed; folds that open
-// by keyboard.
+// by keyboard. And it tells the kernel whether the page is dark.
 
 const PLAYER = ["play or pause", "stop and go back to the start", "repeat"];
 const QUIET = 20_000; // ms without a new part after which nothing more is expected
@@ -62,8 +62,39 @@ function reflect(node, className, part, attribute) {
   tell();
 }
 
-function render({ el }) {
+const THEMED = {
+  attributes: true,
+  attributeFilter: ["data-jp-theme-light", "data-jp-theme-name", "data-theme", "class", "style"],
+};
+
+/** Whether the page is dark: as JupyterLab says, else by the colour behind the app. */
+function isDark(from) {
+  const told = document.body.dataset.jpThemeLight;
+  if (told !== undefined) return told === "false";
+  for (let node = from; node; node = node.parentElement) {
+    const [r, g, b, a = 1] = (getComputedStyle(node).backgroundColor.match(/[\d.]+/g) ?? []).map(Number);
+    if (a > 0.5) return 0.299 * r + 0.587 * g + 0.114 * b < 128;
+  }
+  return matchMedia("(prefers-color-scheme: dark)").matches;
+}
+
+/** Keep the model's `dark` true to the page; return the function that ends it. */
+function watchTheme(model, app) {
+  const report = () => {
+    if (model.get("dark") === isDark(app)) return;
+    model.set("dark", isDark(app));
+    model.save_changes();
+  };
+  const observer = new MutationObserver(report);
+  observer.observe(document.body, THEMED);
+  observer.observe(document.documentElement, THEMED);
+  report();
+  return () => observer.disconnect();
+}
+
+function render({ model, el }) {
   el.style.display = "none";
+  let unwatch = () => {};
   let timer = 0;
   // Only what is new: numbers and pictures change with every move, and have no names to be given.
   const arrived = (changes) => changes.flatMap(({ addedNodes }) => [...addedNodes]);
@@ -78,12 +109,14 @@ function render({ el }) {
   const frame = requestAnimationFrame(() => {
     const app = el.closest(".ruledlab");
     if (!app) return;
+    unwatch = watchTheme(model, app);
     name(app);
     observer.observe(app, { childList: true, subtree: true });
     wait();
   });
   return () => {
     cancelAnimationFrame(frame);
+    unwatch();
     clearTimeout(timer);
     observer.disconnect();
   };

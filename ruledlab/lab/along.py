@@ -1,0 +1,202 @@
+"""What lesson 04 shows beside a lab's scene, as plain values: special rulings, screw, equations.
+
+Nothing is drawn here: strokes for the view in space, arrays for the plots, words and tables.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from ..design import Design
+from ..geometry.checks import Array
+from ..geometry.motion import FrameEquations, Screw
+from ..geometry.special import SpecialRulings
+from ..geometry.surface import RuledSurface
+from .overlay import Dot, Label, Overlay, Stroke
+
+__all__ = [
+    "MOST",
+    "Place",
+    "compared_html",
+    "equations_html",
+    "found_words",
+    "places",
+    "screw_html",
+    "screw_strokes",
+    "screw_words",
+    "signed",
+    "special_strokes",
+]
+
+MOST: Final = 12
+"""Special rulings that get a button each."""
+
+STYLE: Final = (
+    ".ruledlab .ruledlab-sides{border-collapse:collapse;font-size:13px;color:inherit}"
+    ".ruledlab .ruledlab-sides :is(th,td){text-align:left;white-space:nowrap;"
+    "padding:1px 14px 1px 0;font-weight:normal}"
+    "@container (max-width:760px){.ruledlab .ruledlab-sides{display:block}"
+    ".ruledlab .ruledlab-sides tbody{display:block}"
+    ".ruledlab .ruledlab-sides tr{display:flex;flex-flow:row wrap;padding-bottom:6px}"
+    ".ruledlab .ruledlab-sides tr:first-child{display:none}"
+    ".ruledlab .ruledlab-sides :is(td,th){flex:0 1 auto;min-width:0;white-space:normal}"
+    ".ruledlab .ruledlab-sides td::before{content:attr(data-name) ' ';opacity:.7}}"
+)
+"""A table; on a narrow page the cells of a row follow each other, each with its name."""
+
+EQUATIONS: Final = (
+    ("x₁′ = κx₂", "x̄₁′ = κ̄x₂ + κx̄₂"),
+    ("x₂′ = −κx₁ + τx₃", "x̄₂′ = −κ̄x₁ + τ̄x₃ − κx̄₁ + τx̄₃"),
+    ("x₃′ = −τx₂", "x̄₃′ = −τ̄x₂ − τx̄₂"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """One special ruling: its t, its kind, and what is special in a few words."""
+
+    t: float
+    kind: str
+    word: str
+
+
+def places(found: SpecialRulings) -> tuple[Place, ...]:
+    """Return the single special rulings in their order."""
+    crossing = "κ̄ = δ = 0, and κ̄ changes its sign"
+    touching = "κ̄ = δ = 0, and κ̄ keeps its sign"
+    single = [
+        Place(float(t), "torsal", touching if touches else crossing)
+        for t, touches in zip(found.torsal, found.touching, strict=True)
+    ]
+    single += [Place(float(t), "cylindrical", "κ = 0") for t in found.cylindrical]
+    return tuple(sorted(single, key=lambda place: place.t))
+
+
+def found_words(found: SpecialRulings) -> str:
+    """Say in words which special rulings there are."""
+    single = places(found)
+    said = [
+        f"{word} from t = {a:.4g} to {b:.4g}."
+        for word, stretches in (
+            ("Torsal throughout (κ̄ = 0, developable)", found.developable),
+            ("Cylindrical throughout (κ = 0)", found.cylinders),
+        )
+        for a, b in stretches
+    ]
+    if single:
+        count = f"{len(single)} special ruling" + ("s" if len(single) > 1 else "")
+        many = f", of which the first {MOST} have a button" if len(single) > MOST else ""
+        said.append(f"{count}{many}. Press one to go there.")
+    return " ".join(said) or "No torsal and no cylindrical ruling: κ and κ̄ have no zero."
+
+
+def ruling_ends(design: Design, surface: RuledSurface, t: Array) -> Array:
+    """Return (N, 2, 3) both ends of the drawn rulings at t."""
+    base = surface.striction(t) if design.base == "striction" else surface.foot(t)
+    half = 0.5 * design.length * surface.line(t).direction
+    return np.stack([base - half, base + half], axis=1)
+
+
+def special_strokes(design: Design, surface: RuledSurface, single: tuple[Place, ...]) -> Overlay:
+    """Return the special rulings as strokes, numbered at their ends as the buttons are."""
+    t = np.array([place.t for place in single])
+    ends = ruling_ends(design, surface, t)
+    inks = ["delta" if place.kind == "torsal" else "kappa" for place in single]
+    numbered = list(enumerate(zip(ends, inks, strict=True), 1))
+    return Overlay(
+        strokes=tuple(Stroke(pair, ink, 4.0, name=f"special {i}") for i, (pair, ink) in numbered),
+        labels=tuple(Label(pair[1], str(i), ink) for i, (pair, ink) in numbered),
+    )
+
+
+def screw_strokes(now: Screw, striction: Array, length: float) -> Overlay:
+    """Return the screw axis with its pitch, and the way to it from the striction point."""
+    axis = np.array([-0.42, 0.42])[:, None] * length * now.axis.direction + now.point
+    return Overlay(
+        strokes=(
+            Stroke(axis, "ink", 2.5, dashed=True, arrow=True, name="screw axis"),
+            Stroke(np.stack([striction, now.point]), "faint", 1.5, name="along x₂"),
+        ),
+        dots=(Dot(now.point, "ink", 7.0),),
+        labels=(Label(axis[1], f"h = {signed(float(now.pitch), 3)}", "ink"),),
+    )
+
+
+def signed(value: float, digits: int = 4) -> str:
+    """Return a number with a minus sign that is one; a zero has none."""
+    if not np.isfinite(value):
+        return "–"
+    text = f"{value:.{digits}f}"
+    return text.replace("-", "−" if float(text) else "")
+
+
+def equations_html(both: FrameEquations, largest: float) -> str:
+    """Return the frame equations at one t as a table: left side, right side, residual."""
+    rows = [
+        (EQUATIONS[i][j], _vector(both.left[i, j]), _vector(both.right[i, j]),
+         _tiny(both.residual[i, j]))
+        for i in range(3)
+        for j in range(2)
+    ]  # fmt: skip
+    head = ("equation", "left: frame differentiated", "right: from κ, κ̄, τ, τ̄",
+            "|left − right|")  # fmt: skip
+    return _table(head, rows) + (
+        f'<div class="ruledlab-note">Largest residual over all drawn rulings: {_tiny(largest)}. '
+        "Both sides are taken by t, whatever the plots are drawn over.</div>"
+    )
+
+
+def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """Return a table; the first column names the rows."""
+    top = "".join(f'<th scope="col">{text}</th>' for text in head)
+    body = "".join(
+        f'<tr><th scope="row">{first}</th>'
+        + "".join(
+            f'<td data-name="{name}">{x}</td>' for name, x in zip(head[1:], rest, strict=True)
+        )
+        + "</tr>"
+        for first, *rest in rows
+    )
+    return f'<style>{STYLE}</style><table class="ruledlab-sides"><tr>{top}</tr>{body}</table>'
+
+
+def _vector(entries: Array) -> str:
+    return f"({', '.join(signed(float(x)) for x in entries)})"
+
+
+def _tiny(value: float) -> str:
+    return f"{value:.1e}".replace("-", "−") if np.isfinite(value) else "–"
+
+
+def screw_words(now: Screw) -> str:
+    """Say what the frame's screw is."""
+    if not np.isfinite(now.pitch):
+        return "There is no frame and no screw: κ = 0."
+    return f"The frame screws with pitch h = {signed(float(now.pitch))} about the dashed axis."
+
+
+def screw_html(now: Screw, striction: Array) -> str:
+    """Return the numbers of the frame's screw as a table."""
+    away = float(np.linalg.norm(now.point - striction))
+    rows = (
+        ("screw pitch", "h", float(now.pitch), "length per rad"),
+        ("angular speed", "√(κ² + τ²)", float(now.angular_speed), "rad per t"),
+        ("axis from striction point", "along x₂", away, "length"),
+    )
+    body = "".join(
+        f"<tr><td>{name} <i>{symbol}</i></td><td>{signed(value)}</td><td>{unit}</td></tr>"
+        for name, symbol, value, unit in rows
+    )
+    return f'<table class="ruledlab-numbers">{body}</table>'
+
+
+def compared_html(word: str, before: dict[str, float], after: dict[str, float]) -> str:
+    """Return the numbers of one ruling before and after; what changed is set in bold."""
+    old, new = ([signed(values[name]) for name in before] for values in (before, after))
+    marked = [b if a == b else f"<b>{b}</b>" for a, b in zip(old, new, strict=True)]
+    table = _table(("this ruling", *before), (("before", *old), (word, *marked)))
+    return f'<div role="status">{table}</div>'

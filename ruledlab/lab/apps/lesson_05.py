@@ -1,0 +1,166 @@
+"""Lesson 05: the tangent plane turns along a ruling, and the surface bends on both its sides.
+
+The point that is looked at is (t, w). Its t is the lab's cursor; a `Slate` of design, t and w is
+the memory of all three, so that one undo serves them.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import ipywidgets as w
+
+from ...design import Design
+from ..bend import STYLE, Bend, bend, curvatures, forms, graph, in_space, words
+from ..controls import GalleryControl, Group, HistoryControl, NumberControl, Strokes, TimeControl
+from ..slate import Change, Slate
+from ..state import Lab
+from ..view3d import SurfaceView
+from .base import LabApp
+from .studio import example
+
+__all__ = ["Bending", "bending"]
+
+
+def bending(design: Design | None = None, w: float = 0.4) -> Bending:
+    """Return the app of lesson 05: tangent plane, asymptotic directions and curvature at a point.
+
+    Parameters
+    ----------
+    design
+        where to begin; None for the right helicoid.
+    w
+        the place along the ruling, from the striction point.
+    """
+    start = (design or example("right_helicoid")).with_(base="striction")
+    return Bending(Lab(start, 0.6), w)
+
+
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """What is looked at: a design, the place t of a ruling and w along it."""
+
+    design: Design
+    t: float
+    w: float
+
+
+class Place(Group):
+    """The place w along the ruling, the colour of the surface, the planes along the ruling."""
+
+    COLOURINGS = (("K", "gauss"), ("H", "mean"), ("δ", "delta"), ("plain", "plain"))
+
+    def __init__(self, app: Bending, half: float) -> None:
+        super().__init__()
+        strokes = Strokes()
+        self.w = NumberControl(
+            self,
+            "w",
+            "w, the place along the ruling from the striction point",
+            (-half, half),
+            0.01,
+            lambda value: app.spot.edit("w", strokes.token("w"), w=value),
+        )
+        self.colour = w.Dropdown(
+            options=self.COLOURINGS,
+            description="colour",
+            style={"description_width": "initial"},
+            layout=w.Layout(width="auto", min_width="110px"),
+        )
+        self.fan = w.Checkbox(
+            description="tangent planes along the ruling",
+            indent=False,
+            layout=w.Layout(width="auto"),
+        )
+        self.home = w.Button(description="view", icon="home", layout=w.Layout(width="auto"))
+        self.home.tooltip = "look from the usual side, all of it in sight"
+        self.on(self.colour, "value", app.lab.colour)
+        self.on(self.fan, "value", lambda _: app.show())
+        self.click(self.home, app.view.reset_view)
+
+
+class Bending(LabApp):
+    """A surface, its tangent plane in one point, and what happens along the ruling.
+
+    Attributes
+    ----------
+    spot
+        the `Slate` of what is looked at: design, t and w.
+    """
+
+    def __init__(self, lab: Lab, w: float) -> None:
+        lab.colour("gauss")
+        super().__init__(lab)
+        self.spot = Slate(Spot(lab.design, lab.cursor, w), lambda spot: None)
+        # Each changes the other: with a lock of its own, two threads could wait for ever.
+        self.spot._lock = lab._lock
+        self.view, self.time = SurfaceView(560, 430), TimeControl(lab)
+        self.gallery, self.history = GalleryControl(lab), HistoryControl(self.spot)
+        self.place, self._strokes = Place(self, 0.5 * lab.design.length), Strokes()
+        self._good: tuple[Design, Bend] | None = None
+        self._views = [self.view]
+        self._groups = [self.place, self.time, self.gallery, self.history]
+        self._releases += [
+            self.spot.follow(self._moved),
+            self.view.on_pick(lambda t, w: self.place.guard(lambda: self.pick(t, w))),
+        ]
+        self.view.sphere("off")
+        self.view.show(frame=False)
+        self.assemble(*self._laid_out())
+
+    def _laid_out(self) -> tuple[Any, ...]:
+        self.legend, self.picture, self.curved, self.forms = (w.HTML() for _ in range(4))
+        head = [self.gallery.widget, self.history.widget, self.place.colour, self.legend]
+        under = w.HBox([self.place.fan, self.place.home]).add_class("ruledlab-bar")
+        left = w.VBox([self.view.widget, self.time.widget, self.place.w.widget, under])
+        right = w.VBox([self.picture, self.curved, self.forms])
+        return (
+            w.HTML(STYLE),
+            w.Box(head).add_class("ruledlab-bar"),
+            w.HBox([left, right]).add_class("ruledlab-pair").add_class("ruledlab-bends"),
+            self.gallery.note,
+        )
+
+    def pick(self, t: float, w: float) -> None:
+        """Look at a point of the surface."""
+        self.spot.edit("pick", t=t, w=w)
+
+    def update(self, change: Change) -> None:
+        """Follow the lab: draw, and remember where it is."""
+        super().update(change)
+        if change.scene:
+            self.spot.edit("lab", design=self.lab.design)
+            self.legend.value = self.view.legend_html(self.lab.result.scene)
+        elif change.mark:
+            self.spot.edit("lab", self._strokes.token("t"), t=self.lab.cursor)
+        if change.scene or change.mark:
+            self.show()
+
+    def _moved(self, change: Change) -> None:
+        """Follow the memory: a step back may lead to another design or another ruling."""
+        spot = self.spot.value
+        if not change.mark or change.source == "lab":
+            return
+        if spot.design != self.lab.design:
+            self.lab.load(spot.design, "history")
+        if spot.t != self.lab.cursor:
+            self.lab.move_cursor(spot.t)
+        else:
+            self.show()
+
+    def show(self) -> None:
+        """Draw and say what holds at the point."""
+        spot, result = self.spot.value, self.lab.result
+        now = bend(result.surface, spot.t, spot.w, spot.design.length)
+        if not now.reason or self._good is None or self._good[0] != spot.design:
+            self._good = (spot.design, now)
+        size = 0.3 * result.scene.radius
+        self.view.overlay(in_space(self._good[1], now, size, self.place.fan.value))
+        self.view.describe(words(spot.t, now))
+        if math.isfinite(now.delta):
+            self.picture.value = graph(now)
+        self.curved.value, self.forms.value = curvatures(now), forms(now)
+        self.place.w.show(spot.w)
+        self.place.w.say(f"No tangent plane here: {now.reason}." if now.reason else None)

@@ -1,0 +1,46 @@
+"""Lesson 07 in a real browser: the congruence follows its fields, an exercise is answered."""
+
+from __future__ import annotations
+
+from .session import THREE, LabSession
+from .test_lessons import LESSONS, in_sight, run_whole
+
+ANSWER = (
+    "from ruledlab.exercises import find, seed; print(find('07.1').task(seed()).right_answer())"
+)
+
+
+def test_lesson_07_lives(lab: LabSession) -> None:
+    with run_whole(lab, LESSONS / "07_what_ubar_and_vbar_do.ipynb") as page:
+        in_sight(page, THREE)
+        space = page.wait_still(THREE, timeout=60)
+        assert space.drawn > 2000
+        page.page.get_by_text("the congruence is elliptic").first.wait_for()
+
+        pair = page.page.get_by_role("combobox", name="ū, v̄").first
+        pair.select_option("Touching a sphere anywhere")
+        page.wait_change(space, THREE)
+        page.page.get_by_text("the congruence is hyperbolic").first.wait_for()
+        page.page.get_by_label("focal surfaces").first.check()
+        page.press(page.page.get_by_role("slider", name="u of the place").first, "ArrowRight", 10)
+        page.page.get_by_text("At u = 0.49,").first.wait_for()
+        page.wait_still(THREE)
+        page.screenshot("lesson-07")
+
+        card = page.page.locator(".ruledlab-exercise").first
+        card.scroll_into_view_if_needed()
+        field = card.locator(".ruledlab-field input")
+        field.fill(page.kernel_exec(ANSWER).strip())
+        field.press("Enter")
+        card.get_by_text("✓ done").wait_for()
+
+        page.dark()
+        page.command("application:toggle-left-area")
+        page.resize(650, 1000)
+        page.page.wait_for_timeout(500)  # JupyterLab lays its cells out anew
+        in_sight(page, THREE)
+        page.wait_still(THREE)
+        page.screenshot("lesson-07-narrow-dark")
+        assert page.sticks_out() == []
+        assert page.errors() == []
+        assert page.console_errors == []

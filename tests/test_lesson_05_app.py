@@ -1,0 +1,300 @@
+"""The app of lesson 05: its numbers, its pictures, and every control from end to end."""
+
+from __future__ import annotations
+
+import re
+import threading
+import xml.etree.ElementTree as ET
+
+import numpy as np
+import pytest
+
+pytest.importorskip("anywidget")
+pytest.importorskip("pythreejs")
+
+import ipywidgets
+
+from ruledlab.design import Design
+from ruledlab.exercises import find
+from ruledlab.geometry import gallery, tangent_planes
+from ruledlab.lab import bending
+from ruledlab.lab.apps import example
+from ruledlab.lab.bend import FAN, bend, graph, in_space, words
+
+
+@pytest.fixture
+def app():
+    app = bending()
+    yield app
+    app.close()
+    assert [group.defect.value for group in app._groups if group.defect.value] == []
+
+
+@pytest.fixture
+def drawn(app, monkeypatch):
+    """The overlays that the view is asked to draw."""
+    laid, draw = [], type(app.view).overlay
+
+    def overlay(self, picture):
+        laid.append(picture)
+        draw(self, picture)
+
+    monkeypatch.setattr(type(app.view), "overlay", overlay)
+    return laid
+
+
+def named(items, name):
+    return [item for item in items if item.name == name]
+
+
+def shown(app):
+    return app.picture.value, app.curved.value, app.forms.value, app.place.w.field.value
+
+
+# ---- pictures without widgets -------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("t", [0.1, 0.35, 0.8])
+@pytest.mark.parametrize("key", ["right_helicoid", "hyperboloid", "example_2", "orchid"])
+def test_the_drawn_plane_touches_the_surface(key, t):
+    surface = gallery.surface(key)
+    found = bend(surface, t, 0.4, 2.0)
+    picture = in_space(found, found, 0.5, fan=True)
+    (sheet,) = named(picture.sheets, "tangent plane")
+    point = surface.points(t, 0.4)
+    h = 1e-6
+    across = (surface.points(t + h, 0.4) - surface.points(t - h, 0.4)) / (2 * h)
+    corners = sheet.points.reshape(-1, 3) - point
+    assert np.allclose(np.linalg.norm(corners, axis=1), 0.5 * np.sqrt(2))
+    normal = np.cross(across, surface.line(t).direction)
+    assert np.abs(corners @ normal).max() < 1e-6 * np.linalg.norm(normal)
+    (stroke,) = named(picture.strokes, "normal")
+    assert np.allclose(np.diff(stroke.points, axis=0)[0] @ (corners.T), 0.0, atol=1e-9)
+    assert len(named(picture.sheets, "fan")) == len(named(picture.strokes, "fan")) == FAN
+    assert len(in_space(found, found, 0.5, fan=False).sheets) == 1
+
+
+def test_the_graph_is_a_picture_with_words():
+    found = bend(gallery.surface("hyperboloid"), 0.3, 1.0, 2.0)
+    picture = ET.fromstring(graph(found))
+    assert picture.attrib["role"] == "img"
+    assert "θ is 45 degrees and K is −0.25" in picture.attrib["aria-label"]
+    circles = picture.findall("circle")
+    assert len(circles) == 2
+    # θ = 45° stands a quarter, K = −1/4 a quarter of its panel from the top
+    heights = [float(circle.attrib["cy"]) for circle in circles]
+    assert heights == pytest.approx([18 + 0.25 * 114, 132 + 34 + 18 + 0.25 * 114], abs=0.06)
+    assert {circle.attrib["cx"] for circle in circles} == {"426.0"}  # w = 1 is the right end
+
+
+@pytest.mark.parametrize("delta", ["0.5", "-0.5", "0.01", "40"])
+def test_the_graph_shows_the_peak_however_narrow(delta):
+    surface = Design(((0, np.pi / 2), (3, np.pi / 2)), f"{delta}*u", "0").surface()
+    found = bend(surface, 0.5, 0.2, 2.0)
+    gauss = found.planes.gauss[found.graph]
+    assert np.nanmin(gauss) == pytest.approx(-1 / float(delta) ** 2)
+    places = found.w[found.graph]
+    assert (places.min(), places.max()) == pytest.approx((-1.0, 1.0))
+    steps = np.diff(found.planes.turn[found.graph])
+    assert np.ptp(steps) < 1e-9  # even in θ
+    assert np.all(np.sign(steps) == np.sign(float(delta)) * np.sign(np.diff(places)))
+
+
+def test_a_torsal_ruling_in_words_and_picture():
+    found = bend(gallery.surface("plucker_conoid"), 0.125, 0.0, 2.0)
+    assert "torsal" in found.reason
+    assert "does not turn" in graph(found)
+    assert "<circle" not in graph(found)
+    assert "there is no tangent plane" in words(0.125, found)
+    assert bend(gallery.surface("plucker_conoid"), 0.125, 0.1, 2.0).reason == ""
+
+
+# ---- the app ------------------------------------------------------------------------------------
+
+
+def test_it_closes_without_a_trace():
+    before = set(ipywidgets.widget._instances)
+    app = bending(example("hyperboloid"), 0.2)
+    app.pick(0.2, -0.3)
+    app.gallery.menu.value = "cone"
+    app.close()
+    assert set(ipywidgets.widget._instances) == before
+    assert not app.lab._followers
+    assert not app.spot._followers
+    app.close()
+
+
+@pytest.mark.parametrize(
+    ("control", "low", "high"),
+    [
+        (lambda a: a.place.w.slider, -1.0, 1.0),
+        (lambda a: a.time.t.slider, 0.0, 1.0),
+        (lambda a: a.place.colour, "mean", "plain"),
+        (lambda a: a.place.fan, True, False),
+        (lambda a: a.gallery.menu, "cone", "ramp"),
+    ],
+    ids=["w", "t", "colour", "fan", "gallery"],
+)
+def test_every_control_to_both_ends_and_back(app, control, low, high):
+    widget = control(app)
+    start, before = widget.value, shown(app)
+    for value in (low, high, low, start):
+        widget.value = value
+    assert shown(app) == before
+
+
+def test_the_read_outs_are_those_of_geometry(app):
+    app.gallery.menu.value = "example_2"
+    app.pick(0.3, -0.25)
+    surface = gallery.surface("example_2")
+    planes = tangent_planes(surface, 0.3, -0.25)
+    for value in (planes.gauss, planes.mean, planes.turn, planes.principal[0], planes.angle):
+        assert f"{float(value):.4g}".replace("-", "−") in app.curved.value
+    for name in ("g11", "g12", "h11", "h12"):
+        value = float(getattr(planes.forms, name))
+        assert f"{value:.4g}".replace("-", "−") in app.forms.value
+
+
+def test_a_pick_moves_t_and_w_and_is_one_step(app):
+    app.view._listeners[0](0.2, 0.75)
+    assert (app.lab.cursor, app.spot.value.w) == (0.2, 0.75)
+    assert (app.time.t.field.value, app.place.w.field.value) == ("0.2", "0.75")
+    app.history.undo.click()
+    assert (app.lab.cursor, app.spot.value.w) == (0.6, 0.4)
+    app.history.redo.click()
+    assert (app.lab.cursor, app.spot.value.w) == (0.2, 0.75)
+
+
+def test_undo_leads_back_through_surfaces_and_rulings(app):
+    first = shown(app)
+    app.time.t.field.value = "0.25"
+    app.gallery.menu.value = "crown"
+    app.place.w.field.value = "0.1"
+    app.time.t.field.value = "0.5"
+    for _ in range(4):
+        assert app.spot.can_undo
+        app.history.undo.click()
+    assert not app.spot.can_undo
+    assert shown(app) == first
+    assert app.lab.design.name == app.spot.value.design.name == "Right helicoid"
+    for _ in range(4):
+        app.history.redo.click()
+    assert (app.lab.design.name, app.lab.cursor, app.spot.value.w) == ("Crown", 0.5, 0.1)
+    app.history.reset.click()
+    assert shown(app) == first
+
+
+def test_where_there_is_no_plane_the_last_one_stays_and_the_reason_is_said(app, drawn):
+    app.gallery.menu.value = "plucker_conoid"
+    app.pick(0.125, 0.3)
+    good = named(drawn[-1].sheets, "tangent plane")[0].points
+    assert app.place.w.error.value == ""
+    app.place.w.field.value = "0"
+    assert "no tangent plane" in app.place.w.error.value
+    assert np.array_equal(named(drawn[-1].sheets, "tangent plane")[0].points, good)
+    assert named(drawn[-1].dots, "point")[0].ring
+    app.place.w.field.value = "0.2"
+    assert app.place.w.error.value == ""
+    assert not named(drawn[-1].dots, "point")[0].ring
+
+
+def test_the_plane_of_another_surface_does_not_stay(app, drawn):
+    app.time.t.field.value = "0"
+    app.gallery.menu.value = "example_1"  # begins in a pole of the chart
+    assert "pole" in app.place.w.error.value
+    assert np.isnan(named(drawn[-1].sheets, "tangent plane")[0].points).all()
+
+
+def test_bad_input_is_said_beside_the_control(app):
+    before = shown(app)[:3]
+    app.place.w.field.value = "1 +"
+    assert "ruledlab-error" in app.place.w.error.value
+    assert shown(app)[:3] == before
+    app.time.t.field.value = "7"
+    assert "between 0 and 1" in app.time.t.error.value
+    assert shown(app)[:3] == before
+
+
+def test_a_place_beyond_the_drawn_ruling_may_be_typed(app, drawn):
+    app.place.w.field.value = "5"
+    (ruling,) = [s for s in drawn[-1].strokes if s.name.startswith("ruling")]
+    assert np.linalg.norm(ruling.points[1] - ruling.points[0]) == pytest.approx(10.0)
+    assert app.place.w.slider.max == 5.0
+
+
+def test_one_move_draws_once(app, drawn):
+    for move in (
+        lambda: app.place.w.field.set_trait("value", "0.1"),
+        lambda: app.time.t.field.set_trait("value", "0.3"),
+        app.history.undo.click,
+        lambda: app.place.fan.set_trait("value", True),
+    ):
+        drawn.clear()
+        move()
+        assert len(drawn) == 1
+
+
+def test_w_is_measured_from_the_striction_point_whatever_the_design_says():
+    app = bending(example("example_2").with_(base="foot"))
+    assert app.lab.design.base == "striction"
+    app.close()
+
+
+# ---- exercises, by the geometry of a helicoid with the δ that the question names -----------------
+
+
+def helicoid(question):
+    (delta,) = re.findall(r"\\delta=([-\d.]+)", question)
+    return Design(((0, np.pi / 2), (1, np.pi / 2)), f"{delta}*u", "0").surface()
+
+
+@pytest.mark.parametrize("seed", ["a", "b", "c", "d"])
+def test_the_answers_hold_on_a_helicoid(seed):
+    deepest, half, planes = (find(f"05.{n}").task(seed) for n in (1, 2, 3))
+    assert helicoid(deepest.question).curvature(0.5, 0.0).gauss == pytest.approx(deepest.answer)
+    gauss = helicoid(half.question).curvature(0.5, [0.0, half.answer]).gauss
+    assert gauss[1] / gauss[0] == pytest.approx(0.5)
+    ends = [float(w) for w in re.findall(r"w=([-\d.]+)", planes.question)]
+    normals = tangent_planes(helicoid(planes.question), 0.5, ends).normal
+    assert np.arccos(normals[0] @ normals[1]) == pytest.approx(planes.answer)
+
+
+def test_the_slip_that_is_printed_is_the_one_to_find():
+    """h₁₁ of the right option, against finite differences of the patch; the other two fail."""
+    surface, t, w, h = gallery.surface("example_1"), 0.5, 1.0, 1e-3
+    r = surface.points(t + h * np.arange(-1, 2), w)
+    normal = tangent_planes(surface, t, w).normal
+    h11 = (r[0] - 2 * r[1] + r[2]) @ normal / h**2
+    i = surface.invariants(t)
+    k, kb, tau, tb, dk, dkb = (
+        float(getattr(i, name))
+        for name in ("kappa", "kappa_bar", "tau", "tau_bar", "kappa_prime", "kappa_bar_prime")
+    )
+    size, rest = np.hypot(kb, w * k), w * k * (w * k * tau + dkb)
+    brackets = (
+        kb * (k * tb + w * dk - kb * tau) - rest,
+        kb * (tb + w * dk - tau) + rest,
+        kb * (kb * tb + w * dk - k * tau) - rest,
+        kb * (tb + w * dk - tau) - rest,  # as printed
+    )
+    agree = [abs(bracket / size - h11) < 1e-4 * abs(h11) for bracket in brackets]
+    assert agree == [True, False, False, False]
+    assert find("05.10").task().then.right_answer() == 0
+
+
+def test_two_threads_do_not_wait_for_each_other(app):
+    """The lab changes the memory and the memory the lab; cells run beside observers."""
+    moves = (
+        lambda i: app.lab.move_cursor(0.01 + 0.9 * (i % 7) / 7),
+        lambda i: app.pick(0.05 + 0.8 * (i % 5) / 5, 0.1),
+    )
+    threads = [
+        threading.Thread(target=lambda move=move: [move(i) for i in range(60)], daemon=True)
+        for move in moves
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(timeout=20)
+    assert not any(thread.is_alive() for thread in threads)
+    assert app.spot.value.t == app.lab.cursor
