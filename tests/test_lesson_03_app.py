@@ -287,6 +287,12 @@ def test_the_numbers_say_what_the_surface_says(app: MovingLine) -> None:
     assert pair is app.motion.near
 
 
+def test_the_legend_has_the_colours_of_the_picture(app: MovingLine) -> None:
+    for dark, theme in ((True, DARK), (False, LIGHT)):
+        app.restyle(dark)
+        assert all(theme.quantity(name) in app.legend.value for name in ("kappa", "tau", "delta"))
+
+
 def test_an_unknown_name_is_refused() -> None:
     assert len(BY_KEY) == len(STARTS)
     with pytest.raises(GeometryError, match="`key` must be one of helicoid, oblique"):

@@ -21,7 +21,7 @@ from ..controls import (
     plain,
 )
 from ..moving import FIRST, SECOND, STARTS, Motion, Moving, Near, picture, said, start, words
-from ..palette import LIGHT
+from ..palette import DARK, LIGHT, Theme
 from ..scene import Scene
 from ..slate import Change
 from ..view3d import SurfaceView
@@ -221,7 +221,7 @@ class MovingLine(App):
             layout=w.Layout(width="auto", min_width="64px"),
         )
         self.shape.click(self.home, lambda: self.view.reset_view())
-        self.numbers = w.HTML()
+        self.numbers, self.legend = w.HTML(), w.HTML(_legend(LIGHT))
         self._views = [self.view]
         self._groups = [self.shape, self.steps, self.time, self.history]
         self.assemble(self._grid())
@@ -231,12 +231,17 @@ class MovingLine(App):
             "head": w.Box([self.shape.menu, self.history.widget, self.home]),
             "hand": w.VBox([self.shape.widget, self.steps.widget]),
             "edit": w.VBox([self.numbers]),
-            "right": w.VBox([self.view.widget, self.time.widget, w.HTML(_legend())]),
+            "right": w.VBox([self.view.widget, self.time.widget, self.legend]),
             "foot": w.VBox([self.shape.note]),
         }
         for name, part in parts.items():
             part.add_class(f"ruledlab-{name}")
         return w.Box([*parts.values()]).add_class("ruledlab-grid")
+
+    def restyle(self, dark: bool) -> None:
+        """Change the picture to the light or the dark theme, and the legend with it."""
+        super().restyle(dark)
+        self.legend.value = _legend(DARK if dark else LIGHT)
 
     def update(self, change: Change) -> None:
         """Draw what changed; the surface itself only where it is another one."""
@@ -277,11 +282,11 @@ def _note(text: str) -> str:
     return f'<div class="ruledlab-note">{text}</div>'
 
 
-def _legend() -> str:
+def _legend(theme: Theme) -> str:
     """Return which colour is what; the words stand in the page's own colour."""
     parts = "&emsp;".join(
         f'<span style="white-space:nowrap"><span aria-hidden="true" style="color:'
-        f'{LIGHT.quantity(name)}">■</span> {text}</span>'
+        f'{theme.quantity(name)}">■</span> {text}</span>'
         for name, text in LEGEND
     )
     return _note(parts)
