@@ -185,9 +185,9 @@ def test_drags_of_two_charts_are_two_steps():
 
 
 def test_the_theme_reaches_every_view(app):
-    app.pad.set_state({"dark": True})
+    app._page.set_state({"dark": True})
     assert app.pad.colours["dark"] is True
-    app.pad.set_state({"dark": False})
+    app._page.set_state({"dark": False})
     assert app.pad.colours["dark"] is False
 
 
@@ -200,7 +200,7 @@ WAYS = {
     ),
     "plots": lambda a: a.plots.widget.set_state({"picked": [1, 0.77]}),
     "slider": lambda a: setattr(a.points.u.slider, "value", 2.2),
-    "theme": lambda a: a.pad.set_state({"dark": True}),
+    "theme": lambda a: a._page.set_state({"dark": True}),
 }
 
 

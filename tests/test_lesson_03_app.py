@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Iterator
 
 import numpy as np
@@ -233,16 +232,6 @@ def app() -> Iterator[MovingLine]:
     yield app
     app.close()
     assert [group.defect.value for group in app._groups if group.defect.value] == []
-
-
-def test_a_move_is_quick_enough(app: MovingLine) -> None:
-    def spent() -> float:
-        begun = time.perf_counter()
-        for step in range(8):
-            app.motion.edit("a", a=0.31 + step / 10)
-        return (time.perf_counter() - begun) / 8
-
-    assert min(spent() for _ in range(5)) < 0.025
 
 
 def test_a_formula_with_a_mistake_keeps_the_picture_and_is_pointed_at(app: MovingLine) -> None:

@@ -289,7 +289,7 @@ def test_the_words_say_what_the_picture_shows(app):
 def test_the_dark_theme_reaches_the_view(app, monkeypatch):
     themes = []
     monkeypatch.setattr(app.view, "set_theme", themes.append)
-    app.figure.pad._on_dark({"new": True, "old": False, "name": "dark"})
+    app._page.set_state({"dark": True})
     assert [theme.dark for theme in themes] == [True]
 
 

@@ -439,7 +439,9 @@ def _condition_html(condition: Condition) -> str:
 
 
 def _nearness(condition: Condition) -> float:
-    """Return 1 where the condition holds, falling to 0 far away."""
+    """Return 1 where the condition holds, falling to 0 far away; an exact one is never near."""
+    if condition.within == 0.0:
+        return 0.0
     return 1.0 / (1.0 + max(0.0, condition.off / condition.within - 1.0) / 8.0)
 
 

@@ -63,10 +63,18 @@ class Slate(Generic[Value, Result]):
         where to begin: a frozen dataclass with ``==``.
     compute
         returns what follows from a value, or raises a GeometryError.
+    beside
+        another slate that this one follows, or that follows this one: both then share a lock, for
+        with one each a cell and a slider could wait for one another for ever.
     """
 
-    def __init__(self, value: Value, compute: Callable[[Value], Result]) -> None:
-        self._lock = threading.RLock()
+    def __init__(
+        self,
+        value: Value,
+        compute: Callable[[Value], Result],
+        beside: Slate[Any, Any] | None = None,
+    ) -> None:
+        self._lock = threading.RLock() if beside is None else beside._lock
         self._followers: dict[object, Callable[[Change], None]] = {}
         self._compute = compute
         self._first = value

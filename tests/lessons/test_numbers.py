@@ -19,6 +19,7 @@ import pytest
 import ruledlab
 import ruledlab.geometry
 from ruledlab.geometry import gallery
+from ruledlab.printed import finding
 
 LESSONS = sorted((Path(__file__).parents[2] / "lessons").glob("*.ipynb"))
 MARKED = re.compile(
@@ -29,6 +30,7 @@ NAMES: dict[str, Any] = {
     **{name: getattr(math, name) for name in ("pi", "sin", "cos", "tan", "sqrt", "exp", "log")},
     **{name: getattr(ruledlab, name) for name in ruledlab.__all__},
     "np": np,
+    "finding": finding,
     "gallery": gallery,
     "ex1": gallery.surface("example_1"),
     "ex2": gallery.surface("example_2"),

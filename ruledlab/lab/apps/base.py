@@ -11,15 +11,15 @@ import ipywidgets as w
 import traitlets
 
 from ..cells import closes_with_cell
-from ..controls import Group
-from ..pad import DomainPad
+from ..controls import Group, PointControl
+from ..pad import DomainPad, PadRequest
 from ..palette import DARK, LIGHT
 from ..plots import CurvePlots
 from ..slate import Change, Slate
 from ..state import Lab
 from ..view3d import SurfaceView
 
-__all__ = ["App", "LabApp"]
+__all__ = ["App", "LabApp", "connect"]
 
 _STATIC: Final = pathlib.Path(__file__).parent.parent / "static"
 _STYLE: Final = (_STATIC / "studio.css").read_text(encoding="utf-8")
@@ -56,10 +56,10 @@ class App(w.VBox):
     def assemble(self, *parts: Any) -> None:
         """Show the parts, follow the state, and close when the notebook cell is run again."""
         defects = [group.defect for group in self._groups]
-        page = _Page()
-        self.children = (w.HTML(f"<style>{_STYLE}</style>"), page, *parts, *defects)
-        page.observe(self._rethemed, "dark")
-        self._releases.append(page.unobserve_all)
+        self._page = _Page()
+        self.children = (w.HTML(f"<style>{_STYLE}</style>"), self._page, *parts, *defects)
+        self._page.observe(self._rethemed, "dark")
+        self._releases.append(self._page.unobserve_all)
         self.update(Change(scene=True, mark=True, chosen=True, loaded=True))
         closes_with_cell(self.close)
 
@@ -126,6 +126,29 @@ def _draw(view: Any, lab: Lab, change: Change) -> None:
             view.choose(lab.chosen)
         if change.loaded:
             view.reset_view(scene)
+
+
+def connect(pad: DomainPad, points: PointControl) -> Callable[[], None]:
+    """Let the pad's requests change the lab; return the function that ends it."""
+    return pad.on_request(lambda request: points.guard(lambda: _ask(request, pad, points)))
+
+
+def _ask(request: PadRequest, pad: DomainPad, points: PointControl) -> None:
+    lab, to = points.lab, (request.u, request.v)
+    match request.kind:
+        case "choose":
+            lab.choose(request.index)
+            return
+        case "add":
+            done = points.insert_at(request.index, to)
+        case "remove":
+            done = points.remove_at(request.index)
+        case _:
+            done = points.place(request.index, to, ("pad", id(pad), request.drag))
+    if request.kind == "end":
+        lab.seal()
+    if not done:
+        pad.draw(lab.result.scene, chosen=lab.chosen, closing=lab.design.closing)
 
 
 def _close_all(widget: Any) -> None:

@@ -41,8 +41,7 @@ from ..scene import SYMBOLS
 from ..slate import Change
 from ..state import Lab
 from ..view3d import SurfaceView
-from .base import LabApp
-from .studio import _connect, _follow_theme
+from .base import LabApp, connect
 
 __all__ = ["START", "AlongTheRulings", "along_the_rulings"]
 
@@ -218,8 +217,7 @@ class AlongTheRulings(LabApp):
         self._groups = [self.time, self.history, self.gallery, self.points]
         self._groups += [self.axis, self.special, self.changes]
         self._releases += [
-            _connect(self.pad, self.points),
-            _follow_theme(self.pad, self.points, self.restyle),
+            connect(self.pad, self.points),
             self.plots.on_pick(self._picked),
         ]
         self.assemble(*self._rows())

@@ -93,9 +93,7 @@ class Bending(LabApp):
     def __init__(self, lab: Lab, w: float) -> None:
         lab.colour("gauss")
         super().__init__(lab)
-        self.spot = Slate(Spot(lab.design, lab.cursor, w), lambda spot: None)
-        # Each changes the other: with a lock of its own, two threads could wait for ever.
-        self.spot._lock = lab._lock
+        self.spot = Slate(Spot(lab.design, lab.cursor, w), lambda spot: None, beside=lab)
         self.view, self.time = SurfaceView(560, 430), TimeControl(lab)
         self.gallery, self.history = GalleryControl(lab), HistoryControl(self.spot)
         self.place, self._strokes = Place(self, 0.5 * lab.design.length), Strokes()

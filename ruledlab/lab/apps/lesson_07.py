@@ -44,8 +44,8 @@ from ..palette import DARK, LIGHT, Theme
 from ..slate import Change
 from ..state import Lab
 from ..view3d import SurfaceView
-from .base import LabApp
-from .studio import _connect, _follow_theme, example
+from .base import LabApp, connect
+from .studio import example
 
 __all__ = ["CongruenceApp", "dual_part"]
 
@@ -157,8 +157,7 @@ class CongruenceApp(LabApp):
         self._views = [self.view, self.pad]
         self._groups = [self.control, self.points, self.fields, self.time, self.history]
         self._releases += [
-            _connect(self.pad, self.points),
-            _follow_theme(self.pad, self.points, self.restyle),
+            connect(self.pad, self.points),
         ]
         self.control.click(self.control.develop, self._develop)
         self.control.click(self.control.home, self._home)

@@ -384,10 +384,7 @@ class OnceRound(LabApp):
         self.start.show(self._w0)
         self._views = [self.view]
         self._groups = [self.time, self.fields, self.history, self.gallery, self.own]
-        self._releases += [
-            self.figure.close,
-            self.figure.pad.on_theme(lambda dark: self.own.guard(lambda: self.restyle(dark))),
-        ]
+        self._releases.append(self.figure.close)
         self.assemble(self._layout())
 
     def _layout(self) -> Any:

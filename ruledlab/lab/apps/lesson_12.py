@@ -43,11 +43,11 @@ from ..controls import (
     is_design_of,
     plain,
 )
-from ..pad import DomainPad, PadRequest
+from ..pad import DomainPad
 from ..plots import sticky_limits
 from ..slate import Change
 from ..state import Lab
-from .base import LabApp
+from .base import LabApp, connect
 
 __all__ = ["PrintedAndMended", "printed_and_mended"]
 
@@ -153,11 +153,7 @@ class PrintedAndMended(LabApp):
         self._views = [self.pad]
         self._groups = [self.chooser, self.points, self.fields, self.time, self.history]
         self._groups.append(self.gallery)
-        guard = self.points.guard
-        self._releases += [
-            self.pad.on_request(lambda request: guard(lambda: self._serve(request))),
-            self.pad.on_theme(lambda dark: guard(lambda: self.restyle(dark))),
-        ]
+        self._releases.append(connect(self.pad, self.points))
         design = w.HBox([self.gallery.widget, self.history.widget]).add_class("ruledlab-bar")
         edit = w.VBox([self.points.widget, self.fields.widget])
         self.assemble(
@@ -235,26 +231,6 @@ class PrintedAndMended(LabApp):
         rows = zip(made.names, made.printed.tolist(), made.mended.tolist(), strict=True)
         self.numbers.value = table([(f"{name} ({unit})", p, m) for (name, unit), p, m in rows])
         self.note.value = _note(words)
-
-    def _serve(self, request: PadRequest) -> None:
-        """Do what the hand asks for in the chart."""
-        points, to = self.points, (request.u, request.v)
-        match request.kind:
-            case "choose":
-                self.lab.choose(request.index)
-                return
-            case "add":
-                done = points.insert_at(request.index, to)
-            case "remove":
-                done = points.remove_at(request.index)
-            case _:
-                done = points.place(request.index, to, ("pad", id(self.pad), request.drag))
-        if request.kind == "end":
-            self.lab.seal()
-        if not done:
-            self.pad.draw(
-                self.lab.result.scene, chosen=self.lab.chosen, closing=self.lab.design.closing
-            )
 
 
 def _true(difference: Array) -> Array:

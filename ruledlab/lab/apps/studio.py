@@ -7,7 +7,6 @@ place, and what is used once in a while is folded away at the foot.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import ipywidgets as w
@@ -24,13 +23,13 @@ from ..controls import (
     TimeControl,
     design_of,
 )
-from ..pad import DomainPad, PadRequest
+from ..pad import DomainPad
 from ..plots import CurvePlots
 from ..share import Share
 from ..slate import Change
 from ..state import Lab
 from ..view3d import SurfaceView
-from .base import LabApp
+from .base import LabApp, connect
 
 __all__ = [
     "ChartFigure",
@@ -99,8 +98,7 @@ class Studio(LabApp):
         self._groups = [self.points, self.fields, self.time, self.history, self.gallery]
         self._groups += [self.look, self.readouts, self.share]
         self._releases += [
-            _connect(self.pad, self.points),
-            _follow_theme(self.pad, self.points, self.restyle),
+            connect(self.pad, self.points),
             self.plots.on_pick(lambda t: self.time.guard(lambda: lab.move_cursor(t))),
         ]
         self.assemble(self._grid())
@@ -141,8 +139,7 @@ class ChartFigure(LabApp):
         self.pad, self.points = DomainPad(), PointControl(lab)
         self._views, self._groups = [self.pad], [self.points]
         self._releases += [
-            _connect(self.pad, self.points),
-            _follow_theme(self.pad, self.points, self.restyle),
+            connect(self.pad, self.points),
         ]
         self.assemble(w.HBox([self.pad, self.points.widget]).add_class("ruledlab-pair"))
 
@@ -158,33 +155,3 @@ class SpaceFigure(LabApp):
             self.view.sphere("only")
             self.view.show(surface=False, rulings=False, striction=False, frame=False)
         self.assemble(self.view.widget, self.time.widget)
-
-
-def _connect(pad: DomainPad, points: PointControl) -> Callable[[], None]:
-    """Let the pad's requests change the lab; return the function that ends it."""
-    return pad.on_request(lambda request: points.guard(lambda: _ask(request, pad, points)))
-
-
-def _follow_theme(
-    pad: DomainPad, points: PointControl, restyle: Callable[[bool], None]
-) -> Callable[[], None]:
-    """Restyle when the pad hears of another theme; return the function that ends it."""
-    return pad.on_theme(lambda dark: points.guard(lambda: restyle(dark)))
-
-
-def _ask(request: PadRequest, pad: DomainPad, points: PointControl) -> None:
-    lab, to = points.lab, (request.u, request.v)
-    match request.kind:
-        case "choose":
-            lab.choose(request.index)
-            return
-        case "add":
-            done = points.insert_at(request.index, to)
-        case "remove":
-            done = points.remove_at(request.index)
-        case _:
-            done = points.place(request.index, to, ("pad", id(pad), request.drag))
-    if request.kind == "end":
-        lab.seal()
-    if not done:
-        pad.draw(lab.result.scene, chosen=lab.chosen, closing=lab.design.closing)
