@@ -21,7 +21,8 @@ from ruledlab.exercises.lesson_01 import from_one_value, inverse, product
 from ruledlab.geometry import Dual, FormulaError, GeometryError
 from ruledlab.lab import dual_numbers
 from ruledlab.lab.apps.lesson_01 import MENU, DualNumbers
-from ruledlab.lab.dual_graph import (
+from ruledlab.lab.plots import Limits
+from ruledlab.lab.scenes.dual_graph import (
     PLACES,
     STEP_SPAN,
     WINDOW,
@@ -33,7 +34,6 @@ from ruledlab.lab.dual_graph import (
     readout,
     words,
 )
-from ruledlab.lab.plots import Limits
 
 FORMULAS = [formula for _, formula in MENU]
 SVG = "{http://www.w3.org/2000/svg}"

@@ -17,7 +17,7 @@ import ipywidgets
 from ruledlab.exercises.core import Choose, Code, FindSlip, Number, find
 from ruledlab.lab import two_lines
 from ruledlab.lab.apps.lesson_02 import NUMBERS
-from ruledlab.lab.line_pair import PRESETS, TwoLines
+from ruledlab.lab.scenes.line_pair import PRESETS, TwoLines
 
 SEEDS = ("", "1", "2", "Ada", "Σ", "q")
 

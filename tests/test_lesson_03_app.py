@@ -17,11 +17,11 @@ pytest.importorskip("pythreejs")
 from ruledlab.design import Design
 from ruledlab.exercises import core, lesson_03
 from ruledlab.geometry import GeometryError, RuledSurface, gallery, vector
-from ruledlab.lab import moving
 from ruledlab.lab.apps.lesson_03 import MovingLine, moving_line
-from ruledlab.lab.moving import STARTS, Motion, Moving, near, picture, start, words
 from ruledlab.lab.overlay import pack
 from ruledlab.lab.palette import DARK, LIGHT
+from ruledlab.lab.scenes import moving
+from ruledlab.lab.scenes.moving import STARTS, Motion, Moving, near, picture, start, words
 
 BY_KEY = {entry.key: entry for entry in STARTS}
 TYPED = [entry for entry in STARTS if entry.moving.kind != "gallery"]

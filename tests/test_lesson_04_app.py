@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from ruledlab.design import Design
 from ruledlab.exercises.core import find
 from ruledlab.geometry import GeometryError, StrictionLength, gallery, screw, special_rulings
-from ruledlab.lab.along import (
+from ruledlab.lab.scenes.along import (
     compared_html,
     equations_html,
     found_words,

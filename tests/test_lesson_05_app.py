@@ -19,7 +19,7 @@ from ruledlab.exercises import find
 from ruledlab.geometry import gallery, tangent_planes
 from ruledlab.lab import bending
 from ruledlab.lab.apps import example
-from ruledlab.lab.bend import FAN, bend, graph, in_space, words
+from ruledlab.lab.scenes.bend import FAN, bend, graph, in_space, words
 
 
 @pytest.fixture

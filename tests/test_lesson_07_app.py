@@ -19,9 +19,10 @@ from ruledlab.exercises import find
 from ruledlab.exercises.core import made
 from ruledlab.geometry import Bezier, Congruence, RuledSurface, gallery
 from ruledlab.geometry.field import CHOICES
-from ruledlab.lab import Lab, congruence, dual_part
+from ruledlab.lab import Lab, dual_part
 from ruledlab.lab.apps import example
 from ruledlab.lab.scene import build_scene
+from ruledlab.lab.scenes import congruence
 
 ARC = Design(((0.3, 0.6), (0.9, 0.9), (1.6, 1.0), (2.2, 1.5)), "0.5*u", "-1")
 

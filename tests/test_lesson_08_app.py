@@ -22,7 +22,7 @@ from ruledlab.geometry import carried, enclosed, gallery
 from ruledlab.geometry.curve import close
 from ruledlab.geometry.line import Line
 from ruledlab.lab import example, once_round
-from ruledlab.lab.apps.lesson_08 import (
+from ruledlab.lab.scenes.once_round import (
     numbers_html,
     overlay_of,
     path_of,

@@ -24,10 +24,11 @@ from ruledlab.exercises.core import Choose, FindSlip, Formula, Number, find
 from ruledlab.exercises.lesson_12 import EVEN, UNEVEN
 from ruledlab.exercises.store import Store
 from ruledlab.geometry import GeometryError, gallery
-from ruledlab.lab import comparison, printed_and_mended
-from ruledlab.lab.comparison import NAMES, Comparison, at_poles, compare, picture
+from ruledlab.lab import printed_and_mended
 from ruledlab.lab.controls import design_of
 from ruledlab.lab.plots import Limits
+from ruledlab.lab.scenes import comparison
+from ruledlab.lab.scenes.comparison import NAMES, Comparison, at_poles, compare, picture
 from ruledlab.printed import PRINTED, finding
 
 T = np.linspace(0.0, 1.0, 5)

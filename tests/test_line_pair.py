@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from ruledlab.lab.line_pair import (
+from ruledlab.lab.scenes.line_pair import (
     FAR,
     PRESETS,
     OneLine,

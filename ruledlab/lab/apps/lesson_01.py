@@ -9,7 +9,8 @@ import ipywidgets as w
 
 from ...geometry import FormulaError, function
 from ..controls import Group, HistoryControl, NumberControl, Strokes, error_html, plain
-from ..dual_graph import (
+from ..plots import Limits
+from ..scenes.dual_graph import (
     STEP_SPAN,
     STYLE,
     X_SPAN,
@@ -21,7 +22,6 @@ from ..dual_graph import (
     readout,
     words,
 )
-from ..plots import Limits
 from ..slate import Change, Slate
 from .base import App
 

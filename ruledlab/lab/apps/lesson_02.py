@@ -10,7 +10,8 @@ from typing import Any, Final
 import ipywidgets as w
 
 from ..controls import Group, HistoryControl, NumberControl, Strokes
-from ..line_pair import (
+from ..overlay import Overlay, ball
+from ..scenes.line_pair import (
     PRESETS,
     OneLine,
     Pair,
@@ -21,7 +22,6 @@ from ..line_pair import (
     picture,
     words,
 )
-from ..overlay import Overlay, ball
 from ..slate import Change, Slate
 from ..view3d import SurfaceView
 from .base import App

@@ -20,9 +20,9 @@ from ..controls import (
     error_html,
     plain,
 )
-from ..moving import FIRST, SECOND, STARTS, Motion, Moving, Near, picture, said, start, words
 from ..palette import DARK, LIGHT, Theme
 from ..scene import Scene
+from ..scenes.moving import FIRST, SECOND, STARTS, Motion, Moving, Near, picture, said, start, words
 from ..slate import Change
 from ..view3d import SurfaceView
 from .base import App

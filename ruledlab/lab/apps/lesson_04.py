@@ -12,18 +12,6 @@ from ...design import Design
 from ...geometry.checks import GeometryError
 from ...geometry.motion import StrictionLength, frame_equations, screw
 from ...geometry.special import special_rulings
-from ..along import (
-    MOST,
-    Place,
-    compared_html,
-    equations_html,
-    found_words,
-    places,
-    screw_html,
-    screw_strokes,
-    screw_words,
-    special_strokes,
-)
 from ..arc_plots import ArcPlots, axis_note
 from ..controls import (
     GalleryControl,
@@ -38,6 +26,18 @@ from ..overlay import Overlay
 from ..pad import DomainPad
 from ..plots import QUANTITIES
 from ..scene import SYMBOLS
+from ..scenes.along import (
+    MOST,
+    Place,
+    compared_html,
+    equations_html,
+    found_words,
+    places,
+    screw_html,
+    screw_strokes,
+    screw_words,
+    special_strokes,
+)
 from ..slate import Change
 from ..state import Lab
 from ..view3d import SurfaceView

@@ -13,8 +13,8 @@ from typing import Any
 import ipywidgets as w
 
 from ...design import Design
-from ..bend import STYLE, Bend, bend, curvatures, forms, graph, in_space, words
 from ..controls import GalleryControl, Group, HistoryControl, NumberControl, Strokes, TimeControl
+from ..scenes.bend import STYLE, Bend, bend, curvatures, forms, graph, in_space, words
 from ..slate import Change, Slate
 from ..state import Lab
 from ..view3d import SurfaceView

@@ -13,20 +13,6 @@ import ipywidgets as w
 from ...design import Design
 from ...geometry import Congruence, GeometryError
 from ...geometry.checks import Array
-from ..congruence import (
-    LOOKS,
-    Lines,
-    Place,
-    counts_words,
-    highlighted,
-    lines,
-    place,
-    place_words,
-    sight,
-    straightened,
-    straightened_words,
-    strip,
-)
 from ..controls import (
     FieldControl,
     Group,
@@ -41,6 +27,20 @@ from ..controls import (
 from ..overlay import Overlay, Sheet
 from ..pad import DomainPad
 from ..palette import DARK, LIGHT, Theme
+from ..scenes.congruence import (
+    LOOKS,
+    Lines,
+    Place,
+    counts_words,
+    highlighted,
+    lines,
+    place,
+    place_words,
+    sight,
+    straightened,
+    straightened_words,
+    strip,
+)
 from ..slate import Change
 from ..state import Lab
 from ..view3d import SurfaceView

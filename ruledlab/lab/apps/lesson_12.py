@@ -17,19 +17,6 @@ from ...design import Design
 from ...geometry import gallery
 from ...geometry.checks import Array, GeometryError
 from ...printed import PRINTED, Finding, finding
-from ..comparison import (
-    NAMES,
-    Comparison,
-    compare,
-    excursions,
-    in_words,
-    number_lines,
-    picture,
-    said,
-    table,
-    title,
-    values,
-)
 from ..controls import (
     FieldControl,
     GalleryControl,
@@ -45,6 +32,19 @@ from ..controls import (
 )
 from ..pad import DomainPad
 from ..plots import sticky_limits
+from ..scenes.comparison import (
+    NAMES,
+    Comparison,
+    compare,
+    excursions,
+    in_words,
+    number_lines,
+    picture,
+    said,
+    table,
+    title,
+    values,
+)
 from ..slate import Change
 from ..state import Lab
 from .base import LabApp, connect

@@ -12,16 +12,16 @@ from typing import Any, Literal
 
 import numpy as np
 
-from ..design import Design
-from ..geometry import gallery
-from ..geometry.checks import Array, GeometryError
-from ..geometry.dual import Dual
-from ..geometry.series import Series
-from ..geometry.surface import RuledSurface
-from ..geometry.vector import vector
-from .overlay import Dot, Label, Overlay, Stroke
-from .scene import Scene, build_scene, plain_scene
-from .slate import Change, Slate
+from ...design import Design
+from ...geometry import gallery
+from ...geometry.checks import Array, GeometryError
+from ...geometry.dual import Dual
+from ...geometry.series import Series
+from ...geometry.surface import RuledSurface
+from ...geometry.vector import vector
+from ..overlay import Dot, Label, Overlay, Stroke
+from ..scene import Scene, build_scene, plain_scene
+from ..slate import Change, Slate
 
 __all__ = ["STARTS", "Motion", "Moved", "Moving", "Near", "near", "picture", "start", "words"]
 

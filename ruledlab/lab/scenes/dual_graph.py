@@ -15,10 +15,10 @@ from typing import Final
 
 import numpy as np
 
-from ..geometry import Function, GeometryError, Lifted, function
-from ..geometry.checks import Array, frozen
-from .palette import DARK, LIGHT, Theme
-from .plots import Limits, number_ticks, sticky_limits
+from ...geometry import Function, GeometryError, Lifted, function
+from ...geometry.checks import Array, frozen
+from ..palette import DARK, LIGHT, Theme
+from ..plots import Limits, number_ticks, sticky_limits
 
 __all__ = [
     "STEP_SPAN",
@@ -319,7 +319,7 @@ def _colours(theme: Theme) -> str:
     return "".join(f"--dual-{name}:{colour};" for name, colour in named.items())
 
 
-_CSS: Final = pathlib.Path(__file__).parent / "static" / "dual_graph.css"
+_CSS: Final = pathlib.Path(__file__).parent.parent / "static" / "dual_graph.css"
 
 STYLE: Final = (
     f"<style>.ruledlab {{{_colours(LIGHT)}}}"

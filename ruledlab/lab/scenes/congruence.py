@@ -8,16 +8,16 @@ from typing import Final
 
 import numpy as np
 
-from ..geometry import (
+from ...geometry import (
     Congruence,
     GeometryError,
     RuledSurface,
     developable_from_ubar,
     tangent_developable,
 )
-from ..geometry.checks import Array
-from .overlay import Dot, Label, Overlay, Stroke
-from .scene import Mark, Scene
+from ...geometry.checks import Array
+from ..overlay import Dot, Label, Overlay, Stroke
+from ..scene import Mark, Scene
 
 __all__ = [
     "LOOKS",

@@ -13,11 +13,11 @@ from typing import Any
 
 import numpy as np
 
-from ..geometry import RuledSurface, gallery
-from ..geometry.checks import Array
-from ..printed import PRINTED, Finding
-from .palette import DARK, LIGHT, Theme
-from .plots import Limits, number_ticks, peaks, sticky_limits, undefined_ranges
+from ...geometry import RuledSurface, gallery
+from ...geometry.checks import Array
+from ...printed import PRINTED, Finding
+from ..palette import DARK, LIGHT, Theme
+from ..plots import Limits, number_ticks, peaks, sticky_limits, undefined_ranges
 
 __all__ = [
     "NAMES",

@@ -10,10 +10,10 @@ from typing import Final
 
 import numpy as np
 
-from ..geometry import RuledSurface, TangentPlanes, tangent_planes
-from ..geometry.checks import Array
-from .overlay import Dot, Label, Overlay, Sheet, Stroke
-from .palette import DARK, LIGHT, Theme
+from ...geometry import RuledSurface, TangentPlanes, tangent_planes
+from ...geometry.checks import Array
+from ..overlay import Dot, Label, Overlay, Sheet, Stroke
+from ..palette import DARK, LIGHT, Theme
 
 __all__ = ["STYLE", "Bend", "bend", "curvatures", "forms", "graph", "in_space", "words"]
 

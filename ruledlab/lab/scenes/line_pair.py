@@ -12,11 +12,11 @@ from typing import Any, Final
 
 import numpy as np
 
-from ..geometry import CommonPerpendicular, Dual, Line, common_perpendicular, inner
-from ..geometry.checks import Array
-from .overlay import Dot, Label, Overlay, Sheet, Stroke
-from .palette import LIGHT
-from .scene import on_sphere
+from ...geometry import CommonPerpendicular, Dual, Line, common_perpendicular, inner
+from ...geometry.checks import Array
+from ..overlay import Dot, Label, Overlay, Sheet, Stroke
+from ..palette import LIGHT
+from ..scene import on_sphere
 
 __all__ = [
     "PRESETS",

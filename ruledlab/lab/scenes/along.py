@@ -11,12 +11,12 @@ from typing import Final
 
 import numpy as np
 
-from ..design import Design
-from ..geometry.checks import Array
-from ..geometry.motion import FrameEquations, Screw
-from ..geometry.special import SpecialRulings
-from ..geometry.surface import RuledSurface
-from .overlay import Dot, Label, Overlay, Stroke
+from ...design import Design
+from ...geometry.checks import Array
+from ...geometry.motion import FrameEquations, Screw
+from ...geometry.special import SpecialRulings
+from ...geometry.surface import RuledSurface
+from ..overlay import Dot, Label, Overlay, Stroke
 
 __all__ = [
     "MOST",
