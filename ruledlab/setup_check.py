@@ -7,17 +7,21 @@ nothing is computed until it is called.
 from __future__ import annotations
 
 import importlib
+import json
 import math
 import platform
 import re
+import subprocess
 import sys
 import warnings
 from collections.abc import Iterable, Mapping
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from html import escape
 from importlib import metadata
 
 OLDEST_PYTHON = (3, 11)
+LONGEST_LOOK = 60.0  # seconds
 
 # name -> what it does for the lessons, and the oldest release that will do (as pyproject has it)
 PACKAGES: Mapping[str, tuple[str, str]] = {
@@ -30,6 +34,9 @@ PACKAGES: Mapping[str, tuple[str, str]] = {
     "ipykernel": ("runs the lessons' cells", "6.29"),
     "jupyterlab": ("opens the lessons", "4.2"),
 }
+
+IMPORTED_BESIDE = {"jupyterlab"}
+"""What the lessons' own kernel does not import: see `_LOOK`."""
 
 # The browser halves of the widgets, by the names under which JupyterLab knows them.
 LAB_EXTENSIONS: Mapping[str, str] = {
@@ -131,10 +138,12 @@ def check_setup() -> SetupReport:
         Frozen; `SetupReport.ok` says whether everything is ready. A part that fails is reported,
         never raised.
     """
-    with warnings.catch_warnings():
+    with warnings.catch_warnings(), ThreadPoolExecutor(1) as beside:
+        looking = beside.submit(_extensions_as_jupyterlab_sees_them)
         warnings.simplefilter("ignore")  # other packages' deprecations are not the reader's concern
         packages = [_check_package(name, *what) for name, what in PACKAGES.items()]
-        return SetupReport((_check_python(), *packages, *_check_extensions(), _check_pitch()))
+        pitch, extensions = _check_pitch(), _check_extensions(looking)
+        return SetupReport((_check_python(), *packages, *extensions, pitch))
 
 
 def _row(part: Part) -> str:
@@ -159,7 +168,8 @@ def _check_package(name: str, purpose: str, oldest: str) -> Part:
     remedy = _install(f"{name}>={oldest}")
     try:
         version = metadata.version(name)
-        importlib.import_module(name)
+        if name not in IMPORTED_BESIDE:
+            importlib.import_module(name)
     except metadata.PackageNotFoundError:
         return Part(label, False, "not installed", remedy)
     except Exception as error:  # a broken package may raise anything; the answer is the same
@@ -178,9 +188,27 @@ def _one_line(error: BaseException) -> str:
     return " ".join(f"{type(error).__name__}: {error}".split())
 
 
-def _check_extensions() -> Iterable[Part]:
+# JupyterLab's own functions, in a Python of its own: importing its server takes longer than all the
+# rest, goes on beside it so, and stays out of the kernel that the lessons run in.
+_LOOK = """
+import json
+import jupyterlab
+from jupyter_core.paths import jupyter_path
+from jupyterlab_server.config import get_federated_extensions, get_page_config
+paths = jupyter_path("labextensions")
+found = {name: str(about.get("version", "?"))
+         for name, about in get_federated_extensions(paths).items()}
+# "name" turns a whole extension off, "name:plugin" a part of it
+disabled = [entry.split(":")[0] for entry in get_page_config(paths).get("disabledExtensions", ())]
+print(json.dumps([found, disabled]))
+"""
+
+
+def _check_extensions(
+    looking: Future[tuple[dict[str, str], frozenset[str]]],
+) -> Iterable[Part]:
     try:
-        found, disabled = _extensions_as_jupyterlab_sees_them()
+        found, disabled = looking.result()
     except Exception as error:  # no JupyterLab, or one that keeps its extensions elsewhere
         label = "JupyterLab's widget extensions"
         return [Part(label, False, _one_line(error), _install("jupyterlab"))]
@@ -189,13 +217,14 @@ def _check_extensions() -> Iterable[Part]:
 
 def _extensions_as_jupyterlab_sees_them() -> tuple[dict[str, str], frozenset[str]]:
     """Return the installed extensions with their versions, and the names of the disabled ones."""
-    paths = importlib.import_module("jupyter_core.paths").jupyter_path("labextensions")
-    config = importlib.import_module("jupyterlab_server.config")
-    found = config.get_federated_extensions(paths)
-    page = config.get_page_config(paths)
-    # "name" turns a whole extension off, "name:plugin" a part of it
-    disabled = frozenset(entry.split(":")[0] for entry in page.get("disabledExtensions", ()))
-    return {name: str(about.get("version", "?")) for name, about in found.items()}, disabled
+    command = [sys.executable, "-c", _LOOK]
+    told = subprocess.run(
+        command, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=LONGEST_LOOK
+    )
+    if told.returncode != 0:
+        raise RuntimeError((told.stderr.strip().splitlines() or ["no answer"])[-1])
+    found, disabled = json.loads(told.stdout)
+    return found, frozenset(disabled)
 
 
 def _check_extension(name: str, found: Mapping[str, str], disabled: frozenset[str]) -> Part:
