@@ -385,6 +385,22 @@ def test_the_words_give_extremes_places_and_reasons(plots):
 # ------------------------------------------------------------------- choosing, themes, sizes
 
 
+def test_another_parameter_has_its_letter_wherever_t_would_stand(plots):
+    scene = smooth()
+    plots.draw(scene, mark(0.5, kappa=1.0), over="t")
+    over_t = plots.widget.strips, plots.widget.summary, plots.widget.cursor
+    plots.draw(scene, mark(0.5, kappa=1.0), over="s")
+    assert "s = " in plots.widget.summary
+    assert "t = " not in plots.widget.summary
+    assert plots.widget.cursor["label"].startswith("s = ")
+    assert plots.widget.cursor["spoken"].startswith("s = ")
+    assert [a != b for a, b in zip(plots.widget.strips, over_t[0], strict=True)] == [
+        QUANTITIES[name].rate or name == plots.names[-1] for name in plots.names
+    ]  # the unit of a rate, the letter below the last; the rest is not sent again
+    plots.draw(scene, mark(0.5, kappa=1.0))
+    assert (plots.widget.strips, plots.widget.summary, plots.widget.cursor) == over_t
+
+
 def test_choose_all_in_any_order(plots):
     plots.draw(smooth())
     plots.choose(reversed(QUANTITIES))

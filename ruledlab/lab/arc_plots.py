@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
@@ -39,11 +38,11 @@ class ArcPlots(CurvePlots):
 
     length: StrictionLength | None = None
 
-    def draw(self, scene: Scene, mark: Mark | None = None) -> None:
+    def draw(self, scene: Scene, mark: Mark | None = None, *, over: str = "t") -> None:
         """Show a scene's curves over t or s."""
         if self.length is not None:
-            scene = over_arc(scene, self.length.s(scene.t))
-        super().draw(scene, mark and self._moved(mark))
+            scene, over = over_arc(scene, self.length.s(scene.t)), "s"
+        super().draw(scene, mark and self._moved(mark), over=over)
 
     def draw_cursor(self, mark: Mark) -> None:
         """Move the cursor."""
@@ -55,46 +54,6 @@ class ArcPlots(CurvePlots):
 
     def _moved(self, mark: Mark) -> Mark:
         return mark if self.length is None else mark_over_arc(mark, float(self.length.s(mark.t)))
-
-    def _strips(self, theme: Any, width: int) -> tuple[Any, ...]:
-        strips = super()._strips(theme, width)
-        if self.length is None:
-            return strips
-        named = [(s, replace(s.quantity, unit=_by_arc(s.quantity.unit))) for s in strips]
-        return tuple(replace(strip, quantity=quantity) for strip, quantity in named)
-
-    def _show(self) -> None:
-        with self.widget.hold_sync():
-            super()._show()
-            if self.length is not None:
-                *others, last = self.widget.strips
-                self.widget.strips = [*others, _axis_named_s(last, self._theme.ink)]
-
-    def _note(self, strip: Any) -> dict[str, Any]:
-        note = super()._note(strip)
-        return note | {"texts": [_by_arc(text) for text in note.get("texts", [])]}
-
-    def _in_words(self) -> str:
-        return _by_arc(super()._in_words()) if self.length is not None else super()._in_words()
-
-    def _cursor(self) -> dict[str, Any]:
-        cursor = super()._cursor()
-        spoken = {n: _by_arc(cursor[n]) for n in ("label", "spoken") if n in cursor}
-        return cursor | spoken if self.length is not None else cursor
-
-
-def _by_arc(text: str) -> str:
-    """Say s where t is said."""
-    return re.sub(r"\bt\b", "s", text)
-
-
-def _axis_named_s(svg: str, ink: str) -> str:
-    """Write s at the end of the axis below the last strip, where t is the text written last."""
-    start = svg.rindex('<g id="text_')
-    place = re.search(r"translate\(([\d.]+) ([\d.]+)\)", svg[start:])
-    x, y = place.groups() if place else ("0", "0")
-    style = f"fill:{ink};font:italic 15px 'DejaVu Sans',sans-serif"
-    return f'{svg[:start]}<text x="{x}" y="{y}" style="{style}">s</text></g></g></svg>'
 
 
 def axis_note(length: StrictionLength | None) -> str:

@@ -44,12 +44,16 @@ Array = npt.NDArray[np.floating[Any]]
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """How one invariant is named: symbol (mathtext), unit, spoken word; whether it is an angle."""
+    """How one invariant is named: symbol (mathtext), unit, spoken word.
+
+    A rate is measured for each unit of the parameter; an angle has its ticks at multiples of π/2.
+    """
 
     name: str
     symbol: str
     unit: str
     word: str
+    rate: bool = False
     angle: bool = False
 
     @property
@@ -57,14 +61,18 @@ class Quantity:
         """Whether it is a dual part, drawn dashed."""
         return self.name.endswith("_bar")
 
+    def unit_over(self, letter: str) -> str:
+        """Return the unit where the parameter has this letter."""
+        return f"{self.unit} / {letter}" if self.rate else self.unit
+
 
 QUANTITIES: Mapping[str, Quantity] = {
     quantity.name: quantity
     for quantity in (
-        Quantity("kappa", r"$\kappa$", "rad / t", "kappa"),
-        Quantity("kappa_bar", r"$\bar\kappa$", "length / t", "kappa bar"),
-        Quantity("tau", r"$\tau$", "rad / t", "tau"),
-        Quantity("tau_bar", r"$\bar\tau$", "length / t", "tau bar"),
+        Quantity("kappa", r"$\kappa$", "rad", "kappa", rate=True),
+        Quantity("kappa_bar", r"$\bar\kappa$", "length", "kappa bar", rate=True),
+        Quantity("tau", r"$\tau$", "rad", "tau", rate=True),
+        Quantity("tau_bar", r"$\bar\tau$", "length", "tau bar", rate=True),
         Quantity("sigma", r"$\sigma$", "rad", "sigma", angle=True),
         Quantity("delta", r"$\delta$", "length", "delta"),
     )
@@ -312,6 +320,7 @@ class _Strip:
     quantity: Quantity
     limits: Limits
     across: Limits
+    over: str
     width: int
     theme: Theme
     last: bool
@@ -356,7 +365,7 @@ def _furnish(axes: Axes, strip: _Strip) -> None:
     _rule(axes, [x for x, _ in columns], [y for y, _ in rows], strip.theme)
     _write_rows(axes, rows, strip)
     if strip.last:
-        _write_columns(axes, columns, strip.theme)
+        _write_columns(axes, columns, strip)
 
 
 def _rule(axes: Axes, columns: list[float], rows: list[float], theme: Theme) -> None:
@@ -391,17 +400,20 @@ def _write_rows(axes: Axes, rows: Ticks, strip: _Strip) -> None:
     label = {"ha": "center", "va": "center", "color": strip.colour}
     quantity = strip.quantity
     _write(axes, 15 / 72, 0.8, quantity.symbol, middle, fontsize=19, **_MATH, **label)
-    _write(axes, 15 / 72, 0.3, quantity.unit, middle, fontsize=11, rotation=90, **label)
+    unit = quantity.unit_over(strip.over)
+    _write(axes, 15 / 72, 0.3, unit, middle, fontsize=11, rotation=90, **label)
 
 
-def _write_columns(axes: Axes, columns: Ticks, theme: Theme) -> None:
-    """Write the tick labels of t and its name below the axes."""
+def _write_columns(axes: Axes, columns: Ticks, strip: _Strip) -> None:
+    """Write the tick labels of the parameter and its letter below the axes."""
+    theme = strip.theme
     inches = _figure_of(axes).dpi_scale_trans
     below = axes.get_xaxis_transform() + ScaledTranslation(0, -6 / 72, inches)
     for x, text in columns:
         _write(axes, x, 0, text, below, ha="center", va="top", fontsize=11.5, color=theme.faint)
     lower = axes.transAxes + ScaledTranslation(0, -22 / 72, inches)
-    _write(axes, 1, 0, "$t$", lower, ha="right", va="top", fontsize=14, color=theme.ink, **_MATH)
+    letter = f"${strip.over}$"
+    _write(axes, 1, 0, letter, lower, ha="right", va="top", fontsize=14, color=theme.ink, **_MATH)
 
 
 def _figure_of(axes: Axes) -> Figure:
@@ -485,17 +497,17 @@ def peaks(t: Array, values: Array, limits: Limits) -> list[tuple[float, float]]:
     return sorted(found, key=lambda peak: -abs(peak[1] - middle))
 
 
-def _peak_text(found: list[tuple[float, float]]) -> str:
+def _peak_text(found: list[tuple[float, float]], over: str) -> str:
     (t, value), *others = found
     more = f" (+{len(others)} more)" if others else ""
-    return f"peak {_number(value)} at t = {_number(t)}{more}"
+    return f"peak {_number(value)} at {over} = {_number(t)}{more}"
 
 
-def _in_words(t: Array, values: Array, quantity: Quantity) -> str:
-    """Return a sentence on a curve: smallest and largest value, at which t, and where none is."""
+def _in_words(t: Array, values: Array, quantity: Quantity, over: str) -> str:
+    """Return a sentence on a curve: smallest and largest value, where, and where there is none."""
     finite = np.abs(values) < _HUGE
     if not finite.any():
-        return f"{quantity.word}: undefined for every t."
+        return f"{quantity.word}: undefined for every {over}."
     low = int(np.argmin(np.where(finite, values, np.inf)))
     high = int(np.argmax(np.where(finite, values, -np.inf)))
     size = max(abs(float(values[low])), abs(float(values[high])))
@@ -505,11 +517,12 @@ def _in_words(t: Array, values: Array, quantity: Quantity) -> str:
         )
     else:
         ends = (
-            f"{_number(float(values[k]), 4)} at t = {_number(float(t[k]))}" for k in (low, high)
+            f"{_number(float(values[k]), 4)} at {over} = {_number(float(t[k]))}"
+            for k in (low, high)
         )
         said = f"{quantity.word} from " + " to ".join(ends)
     gaps = (f"{_number(a)} to {_number(b)}" for a, b in undefined_ranges(t, values)[:3])
-    return said + "".join(f"; undefined for t from {gap}" for gap in gaps) + "."
+    return said + "".join(f"; undefined for {over} from {gap}" for gap in gaps) + "."
 
 
 # -------------------------------------------------------------------------------- the widget
@@ -567,6 +580,7 @@ class CurvePlots:
         self._callbacks: list[Callable[[float], object]] = []
         self._names = _checked(names)
         self._theme = theme
+        self._over = "t"
         self._t = np.array([0.0, 1.0])
         self._curves: Mapping[str, Array] = {}
         self._gaps: tuple[str, ...] = ()
@@ -581,9 +595,20 @@ class CurvePlots:
         """The invariants on show, from above to below."""
         return self._names
 
-    def draw(self, scene: Scene, mark: Mark | None = None) -> None:
-        """Show a scene's curves; with a mark, move the cursor in the same message."""
+    def draw(self, scene: Scene, mark: Mark | None = None, *, over: str = "t") -> None:
+        """Show a scene's curves; with a mark, move the cursor in the same message.
+
+        Parameters
+        ----------
+        scene
+            what to show.
+        mark
+            the cursor, measured as the scene is; None to leave it where it is.
+        over
+            the letter of the parameter that ``scene.t`` and ``mark.t`` hold.
+        """
         with self._lock:
+            self._over = over
             self._t = np.asarray(scene.t, dtype=float)
             self._curves, self._gaps = scene.curves, tuple(scene.gaps)
             self._mark = mark or self._mark
@@ -688,6 +713,7 @@ class CurvePlots:
                 QUANTITIES[name],
                 self._limits[name],
                 self._across(),
+                self._over,
                 width,
                 theme,
                 last=name == self._names[-1],
@@ -769,27 +795,32 @@ class CurvePlots:
             x, _ = self._place(strip, ends, np.full(ends.size, strip.limits.low))
             note["gaps"] = np.round(x, 1).tolist()
         if not (np.abs(values) < _HUGE).any():
-            note["empty"] = "undefined for every t" if self._t.size and self._curves else "no curve"
+            known = self._t.size and self._curves
+            note["empty"] = f"undefined for every {self._over}" if known else "no curve"
         elif found := peaks(self._t, values, strip.limits):
             x, _ = self._place(strip, *np.array(found[:6]).T)
             note["peaks"] = [
                 [round(float(at), 1), value > strip.limits.high]
                 for at, (_, value) in zip(x, found, strict=False)
             ]
-            note["texts"] = [_peak_text(found), _number(found[0][1])]  # where there is little room
+            note["texts"] = [
+                _peak_text(found, self._over),
+                _number(found[0][1]),
+            ]  # where there is little room
         return note
 
     def _in_words(self) -> str:
         across = self._across()
-        curves = (_in_words(self._t, self._values(n), QUANTITIES[n]) for n in self._names)
-        over = f"Plots over t from {_number(across.low)} to {_number(across.high)}:"
-        return " ".join((over, *curves, *self._gaps))
+        over = self._over
+        curves = (_in_words(self._t, self._values(n), QUANTITIES[n], over) for n in self._names)
+        start = f"Plots over {over} from {_number(across.low)} to {_number(across.high)}:"
+        return " ".join((start, *curves, *self._gaps))
 
     def _cursor(self) -> dict[str, Any]:
         mark = self._mark
         if mark is None or not math.isfinite(mark.t):
             return {}
-        places, texts, spoken = [], [], [f"t = {_number(mark.t)}"]
+        places, texts, spoken = [], [], [f"{self._over} = {_number(mark.t)}"]
         for strip in self._painted:
             value = float(mark.values.get(strip.quantity.name, math.nan))
             x, y = self._place(strip, np.array([mark.t]), np.array([value]))
@@ -802,7 +833,7 @@ class CurvePlots:
             "x": round(float(x[0]), 2),
             "y": places,
             "values": texts,
-            "label": f"t = {self._t_text(mark.t)}",
+            "label": f"{self._over} = {self._t_text(mark.t)}",
             "spoken": ", ".join(spoken),
         }
 
@@ -860,8 +891,8 @@ def _draw_curve(axes: Axes, strip: _Strip, t: Array, values: Array) -> None:
     for low, high in undefined_ranges(t, values):
         axes.axvspan(low, high, color=strip.theme.faint, alpha=0.18)
     if not np.isfinite(drawn).any():
-        _write(axes, 0.5, 0.5, "undefined for every t", axes.transAxes, ha="center", va="center",
-               color=strip.theme.ink, backgroundcolor=strip.theme.paper)  # fmt: skip
+        _write(axes, 0.5, 0.5, f"undefined for every {strip.over}", axes.transAxes, ha="center",
+               va="center", color=strip.theme.ink, backgroundcolor=strip.theme.paper)  # fmt: skip
     elif found := peaks(t, drawn, strip.limits):
         _draw_peaks(axes, strip, found)
 
@@ -877,6 +908,6 @@ def _draw_peaks(axes: Axes, strip: _Strip, found: list[tuple[float, float]]) -> 
     up, right = value > strip.limits.high, at > (strip.across.low + strip.across.high) / 2
     inches = _figure_of(axes).dpi_scale_trans
     aside = ScaledTranslation((-8 if right else 8) / 72, (-3 if up else 3) / 72, inches)
-    _write(axes, at, 1.0 if up else 0.0, _peak_text(found), down + aside, fontsize=11,
+    _write(axes, at, 1.0 if up else 0.0, _peak_text(found, strip.over), down + aside, fontsize=11,
            ha="right" if right else "left", va="top" if up else "bottom",
            color=strip.colour)  # fmt: skip
