@@ -242,8 +242,8 @@ def test_over_s_and_back(app):
     cursor = app.plots.widget.cursor
     assert cursor["t"] == pytest.approx(float(length.s(0.3)))
     assert cursor["label"].startswith("s = ")
-    assert ">s</text>" in app.plots.widget.strips[-1]
-    assert " over s " in app.plots.widget.summary
+    assert app.plots.widget.summary.startswith("Plots over s from 0 to ")
+    assert app.plots.widget.strips[-1] != before[1][-1]
     assert f"{length.total:.4g}" in app.axis.note.value
     app.plots.widget.set_state({"picked": [1, 2.0]})
     assert float(length.s(app.lab.cursor)) == pytest.approx(2.0)
