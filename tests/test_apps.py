@@ -21,6 +21,7 @@ from ruledlab.design import Design
 from ruledlab.geometry import gallery
 from ruledlab.lab import Lab, apps, cells, studio
 from ruledlab.lab.apps import App, chart, example, sphere, surface
+from ruledlab.lab.palette import DARK, LIGHT
 
 BUILDERS = {
     "studio": lambda: apps.Studio(Lab(example("example_2"))),
@@ -184,11 +185,18 @@ def test_drags_of_two_charts_are_two_steps():
     second.close()
 
 
-def test_the_theme_reaches_every_view(app):
+def test_the_theme_reaches_every_view_and_who_asked_for_it(app):
+    told = []
+    disconnect = app.on_theme(told.append)
+    app._page.set_state({"dark": True})
     app._page.set_state({"dark": True})
     assert app.pad.colours["dark"] is True
     app._page.set_state({"dark": False})
     assert app.pad.colours["dark"] is False
+    disconnect()
+    disconnect()
+    app._page.set_state({"dark": True})
+    assert told == [DARK, LIGHT]
 
 
 # ---- a defect anywhere is shown -----------------------------------------------------------------

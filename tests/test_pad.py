@@ -305,30 +305,15 @@ def test_a_callback_may_disconnect_itself(pad):
     assert (len(calls), len(after)) == (1, 2)
 
 
-def test_theme_callbacks(pad):
-    told = []
-    disconnect = pad.on_theme(told.append)
-    pad.set_state({"dark": True})
-    pad.set_state({"dark": True})
-    pad.set_state({"dark": False})
-    disconnect()
-    disconnect()
-    pad.set_state({"dark": True})
-    assert told == [True, False]
-
-
 def test_closed_pad_is_silent_and_harmless(pad, heard):
-    told = []
-    pad.on_theme(told.append)
     pad.close()
     pad.close()
     message(pad, "add", 1)
     motion(pad, 2)
-    pad.set_state({"dark": True})
     pad.draw(scene(POINTS + 1))
     pad.draw_cursor(None)
     pad.set_theme(DARK)
-    assert (heard, told) == ([], [])
+    assert heard == []
     assert pad.comm is None
 
 
@@ -355,7 +340,7 @@ def test_every_trait_the_script_asks_for_exists(pad):
     script = pad.get_state()["_esm"]
     asked = set(re.findall(r'model\.[gs]et\("(\w+)"', script))
     asked |= set(re.findall(r'"change:(\w+)"', script))
-    assert asked == {"picture", "cursor", "colours", "aspect", "min_height", "motion", "dark"}
+    assert asked == {"picture", "cursor", "colours", "aspect", "min_height", "motion"}
     assert asked <= set(pad.keys)
 
 

@@ -333,7 +333,7 @@ class DragBox(Box):
         plots = CurvePlots(self._task.plots)
         releases = [
             plots.on_pick(self.lab.move_cursor),
-            figure.pad.on_theme(lambda dark: plots.set_theme(DARK if dark else LIGHT)),
+            figure.on_theme(plots.set_theme),
             self.lab.follow(
                 lambda change: (
                     plots.draw(self.lab.result.scene, self.lab.mark)

@@ -76,8 +76,6 @@ class DomainPad(anywidget.AnyWidget):
         Index of the chosen control point. A ``"choose"`` request sets it before it is reported.
     closing : {"open", "C0", "C1", "C2"}
         Which condition ties the points at the seam; only marks it, ties nothing.
-    dark : bool
-        Whether the page around the pad is dark, as the browser reports it.
     aspect, min_height : float
         Width over height, and the least height in pixels. The width is the container's.
     """
@@ -95,7 +93,6 @@ class DomainPad(anywidget.AnyWidget):
     # Browser → Python. `motion` is a trait because widgets send only the latest value of a trait
     # while the kernel is busy; sending it back to the browser would double the traffic.
     motion: traitlets.List[Any] = traitlets.List().tag(sync=True, echo_update=False)
-    dark = traitlets.Bool(False).tag(sync=True, echo_update=False)
 
     # Python only: they travel inside `picture`.
     chosen = traitlets.Int(0)
@@ -109,13 +106,11 @@ class DomainPad(anywidget.AnyWidget):
         self._drag: tuple[str, int] | None = None
         self._drags = 0
         self._listeners: list[Callable[[PadRequest], None]] = []
-        self._theme_listeners: list[Callable[[bool], None]] = []
         super().__init__(**traits)
         self.set_theme(theme)
         self.on_msg(self._on_message)
         self.observe(self._on_motion, "motion")
         self.observe(self._on_mark, ["chosen", "closing"])
-        self.observe(self._on_dark, "dark")
 
     def draw(
         self, scene: Scene, *, chosen: int | None = None, closing: Closing | None = None
@@ -154,14 +149,9 @@ class DomainPad(anywidget.AnyWidget):
         """Call back with each `PadRequest`; return the function that ends this."""
         return _attach(self._listeners, callback)
 
-    def on_theme(self, callback: Callable[[bool], None]) -> Disconnect:
-        """Call back with `dark` whenever the page's theme changes; return the disconnect."""
-        return _attach(self._theme_listeners, callback)
-
     def close(self) -> None:
         """Remove the pad from every page and forget all callbacks."""
         self._listeners.clear()
-        self._theme_listeners.clear()
         self.unobserve_all()
         self.on_msg(self._on_message, remove=True)
         super().close()
@@ -180,10 +170,6 @@ class DomainPad(anywidget.AnyWidget):
     def _on_mark(self, _change: Any) -> None:
         with self._lock:
             self._send_picture()
-
-    def _on_dark(self, change: Mapping[str, Any]) -> None:
-        for listener in tuple(self._theme_listeners):
-            listener(change["new"])
 
     def _on_motion(self, change: Mapping[str, Any]) -> None:
         match change["new"]:

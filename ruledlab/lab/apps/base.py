@@ -13,7 +13,7 @@ import traitlets
 from ..cells import closes_with_cell
 from ..controls import Group, PointControl
 from ..pad import DomainPad, PadRequest
-from ..palette import DARK, LIGHT
+from ..palette import DARK, LIGHT, Theme
 from ..plots import CurvePlots
 from ..slate import Change, Slate
 from ..state import Lab
@@ -48,6 +48,7 @@ class App(w.VBox):
     def __init__(self, state: Slate[Any, Any]) -> None:
         self._groups: list[Group] = []
         self._views: list[Any] = []
+        self._theme_listeners: list[Callable[[Theme], None]] = []
         # Before any control, so that the pictures are sent before the read-outs.
         self._releases: list[Callable[[], None]] = [state.follow(self.update)]
         super().__init__()
@@ -58,7 +59,7 @@ class App(w.VBox):
         defects = [group.defect for group in self._groups]
         self._page = _Page()
         self.children = (w.HTML(f"<style>{_STYLE}</style>"), self._page, *parts, *defects)
-        self._page.observe(self._rethemed, "dark")
+        self._page.observe(self._follow_page, "dark")
         self._releases.append(self._page.unobserve_all)
         self.update(Change(scene=True, mark=True, chosen=True, loaded=True))
         closes_with_cell(self.close)
@@ -67,17 +68,29 @@ class App(w.VBox):
         """Draw what changed; a subclass says how."""
         raise NotImplementedError
 
-    def _rethemed(self, change: dict[str, Any]) -> None:
+    def on_theme(self, callback: Callable[[Theme], None]) -> Callable[[], None]:
+        """Call back with the theme when the page's changes; return the function that ends it."""
+        self._theme_listeners.append(callback)
+
+        def disconnect() -> None:
+            if callback in self._theme_listeners:
+                self._theme_listeners.remove(callback)
+
+        return disconnect
+
+    def _follow_page(self, change: dict[str, Any]) -> None:
         """Follow the page; a defect is shown where the controls show theirs."""
         self._groups[0].guard(lambda: self.restyle(change["new"]))
 
     def restyle(self, dark: bool) -> None:
         """Change all views to the light or the dark theme."""
-        for view in self._views:
-            view.set_theme(DARK if dark else LIGHT)
+        theme = DARK if dark else LIGHT
+        for restyle in (*(view.set_theme for view in self._views), *self._theme_listeners):
+            restyle(theme)
 
     def close(self) -> None:
         """Close every widget and leave no observer behind; a second call does nothing."""
+        self._theme_listeners.clear()
         while self._releases:
             self._releases.pop()()
         for group in self._groups:

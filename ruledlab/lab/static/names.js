@@ -67,6 +67,8 @@ const THEMED = {
   attributeFilter: ["data-jp-theme-light", "data-jp-theme-name", "data-theme", "class", "style"],
 };
 
+const PREFERS_DARK = matchMedia("(prefers-color-scheme: dark)");
+
 /** Whether the page is dark: as JupyterLab says, else by the colour behind the app. */
 function isDark(from) {
   const told = document.body.dataset.jpThemeLight;
@@ -75,7 +77,7 @@ function isDark(from) {
     const [r, g, b, a = 1] = (getComputedStyle(node).backgroundColor.match(/[\d.]+/g) ?? []).map(Number);
     if (a > 0.5) return 0.299 * r + 0.587 * g + 0.114 * b < 128;
   }
-  return matchMedia("(prefers-color-scheme: dark)").matches;
+  return PREFERS_DARK.matches;
 }
 
 /** Keep the model's `dark` true to the page; return the function that ends it. */
@@ -88,8 +90,12 @@ function watchTheme(model, app) {
   const observer = new MutationObserver(report);
   observer.observe(document.body, THEMED);
   observer.observe(document.documentElement, THEMED);
+  PREFERS_DARK.addEventListener("change", report);
   report();
-  return () => observer.disconnect();
+  return () => {
+    observer.disconnect();
+    PREFERS_DARK.removeEventListener("change", report);
+  };
 }
 
 function render({ model, el }) {

@@ -171,23 +171,6 @@ function tickLabel(multiple, x, y, side) {
   return label;
 }
 
-// ---- the page around -------------------------------------------------------------------------
-
-function luminance(colour) {
-  const [r, g, b, a = 1] = (colour.match(/[\d.]+/g) ?? []).map(Number);
-  return b === undefined || a < 0.5 ? null : (0.2126 * r + 0.7152 * g + 0.0722 * b) / 255;
-}
-
-function pageIsDark(from) {
-  const told = document.body.dataset.jpThemeLight;
-  if (told !== undefined) return told === "false";
-  for (let at = from.parentElement; at; at = at.parentElement) {
-    const light = luminance(getComputedStyle(at).backgroundColor);
-    if (light !== null) return light < 0.5;
-  }
-  return matchMedia("(prefers-color-scheme: dark)").matches;
-}
-
 // ---- one view --------------------------------------------------------------------------------
 
 const ICONS = {
@@ -378,7 +361,6 @@ class View {
       // Shortcuts with Ctrl or Command, such as saving, stay the page's own; no other key may reach it.
       listen(window, "keydown", (e) => this.shield(e), true),
       this.watchSize(),
-      this.watchTheme(),
       () => {
         this.dropRun();
         this.finishTravel(false);
@@ -391,29 +373,6 @@ class View {
     const observer = new ResizeObserver(() => this.resize());
     observer.observe(this.root);
     return () => observer.disconnect();
-  }
-
-  watchTheme() {
-    const report = () => {
-      const dark = pageIsDark(this.root);
-      if (this.model.get("dark") === dark) return;
-      this.model.set("dark", dark);
-      this.model.save_changes();
-    };
-    const observer = new MutationObserver(report);
-    const what = {
-      attributes: true,
-      attributeFilter: ["data-jp-theme-light", "data-jp-theme-name", "data-theme", "class", "style"],
-    };
-    observer.observe(document.body, what);
-    observer.observe(document.documentElement, what);
-    const off = listen(matchMedia("(prefers-color-scheme: dark)"), "change", report);
-    const first = requestAnimationFrame(report);
-    return () => {
-      observer.disconnect();
-      off();
-      cancelAnimationFrame(first);
-    };
   }
 
   destroy() {
