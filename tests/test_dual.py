@@ -449,3 +449,11 @@ def test_a_moving_line_stays_a_dual_unit_vector():
     np.testing.assert_allclose(square.real.coefficients[0], 1.0, rtol=1e-15)
     np.testing.assert_allclose(square.real.coefficients[1:], 0.0, atol=1e-14)
     np.testing.assert_allclose(square.dual.coefficients, 0.0, atol=1e-13)
+
+
+def test_dual_numbers_and_series_show_plain_numbers():
+    assert repr(Dual(3, 2) * Dual(5, -1)) == "Dual(15.0, 7.0)"
+    assert repr(Dual(np.array([1.0, 2.0]), 3)) == "Dual(array([1., 2.]), 3.0)"
+    t = Series.variable(2.0, 3)
+    assert repr(t) == "Series(order=3, shape=(), value=2.0)"
+    assert repr(Dual(t, 1)) == f"Dual({t!r}, 1.0)"

@@ -839,7 +839,16 @@ def test_the_pieces_of_a_surface_can_be_asked_for() -> None:
     assert surface.curve is curve
     assert (surface.ubar.text, surface.vbar.text) == ("u", "2")
     assert surface.domain == (0.0, 1.0)
-    assert "Bezier(degree=4)" in repr(surface)
+    assert repr(surface) == "RuledSurface(Bezier(degree=4), ubar=field('u'), vbar=field('2'))"
+    other = RuledSurface(curve, lambda u, v: u, 2)
+    assert "ubar=field(a Python function)" in repr(other)
+
+
+def test_invariants_are_shown_as_plain_numbers_and_nothing_else() -> None:
+    text = repr(RuledSurface(Bezier(QUARTIC), "u", 2).invariants(0.5))
+    shown = dict(part.split("=") for part in text[len("Invariants(") : -1].split(", "))
+    assert list(shown) == ["t", *QUANTITIES]
+    assert all(math.isfinite(float(value)) for value in shown.values())
 
 
 def test_values_are_the_same_one_by_one() -> None:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from .checks import GeometryError
-from .series import Series
+from .series import Series, plain
 
 __all__ = ["Dual", "cross", "inner", "norm", "normalize"]
 
@@ -44,7 +44,7 @@ class Dual:
         self.dual = _part(dual, "dual")
 
     def __repr__(self) -> str:
-        return f"Dual({self.real!r}, {self.dual!r})"
+        return f"Dual({plain(self.real)!r}, {plain(self.dual)!r})"
 
     def __getitem__(self, key: Any) -> Dual:
         """Index both parts, which are broadcast against each other first."""

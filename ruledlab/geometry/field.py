@@ -164,6 +164,9 @@ class Field:
         slopes = [result.dual if isinstance(result, Dual) else zero for result in results]
         return slopes[0] + zero, slopes[1] + zero
 
+    def __repr__(self) -> str:
+        return f"field({'a Python function' if self.text is None else repr(self.text)})"
+
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Field):
             return NotImplemented

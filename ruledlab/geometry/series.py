@@ -20,6 +20,12 @@ from .checks import Array, GeometryError, finite_array
 __all__ = ["Series"]
 
 
+def plain(value: Any) -> Any:
+    """Return a number as Python's own, to be shown; arrays and series stay what they are."""
+    scalar = isinstance(value, np.generic | np.ndarray) and value.ndim == 0
+    return value.item() if scalar else value
+
+
 class Series:
     """A truncated Taylor series f(t + h) = c₀ + c₁h + … + c_N hᴺ over arrays.
 
@@ -103,7 +109,7 @@ class Series:
         return Series(self.coefficients[(slice(None), *key)])
 
     def __repr__(self) -> str:
-        return f"Series(order={self.order}, shape={self.shape}, value={self.value!r})"
+        return f"Series(order={self.order}, shape={self.shape}, value={plain(self.value)!r})"
 
     # -- arithmetic ------------------------------------------------------------------------------
 

@@ -20,6 +20,7 @@ from .dual import Dual
 from .field import Field, field
 from .jet import FLAGS, QUANTITIES, Jet, cross, dot, measure, striction
 from .line import CommonPerpendicular, Line, common_perpendicular
+from .series import plain
 from .source import BaseSource, ChartSource, Curve, Formulas, LineSource, Source
 
 __all__ = [
@@ -88,6 +89,10 @@ class Invariants:
     kappa_bar_prime: Array
     _flags: npt.NDArray[np.bool_]
     _source: Source
+
+    def __repr__(self) -> str:
+        values = (f"{name}={plain(getattr(self, name))!r}" for name in ("t", *QUANTITIES))
+        return f"Invariants({', '.join(values)})"
 
     @property
     def undefined(self) -> tuple[Undefined, ...]:
