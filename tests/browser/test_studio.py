@@ -411,6 +411,22 @@ def test_the_pad_is_reached_by_tab(studio: StudioPage) -> None:
     assert not studio.page.evaluate(at_handle)
 
 
+def test_letters_on_a_control_are_no_commands_of_the_notebook(studio: StudioPage) -> None:
+    """In JupyterLab A and B add a cell, M makes the cell one of prose and takes the app away."""
+    cells = studio.page.locator(".jp-Cell")
+    before = cells.count()
+    for control in (studio.control("slider", "u, longitude"), studio.button("In words")):
+        for key in ("a", "b", "m"):
+            control.press(key)
+    studio.page.wait_for_timeout(300)
+    assert cells.count() == before
+    assert studio.page.locator(".jp-MarkdownCell").count() == 0
+    studio.page.keyboard.press("Control+s")  # shortcuts are the page's still
+    studio.page.wait_for_function(
+        "() => !window.jupyterapp.shell.currentWidget.context.model.dirty"
+    )
+
+
 def test_folds_open_by_keyboard(studio: StudioPage) -> None:
     words = studio.page.locator(".ruledlab-words-panel")
     studio.unfold("Drawing")

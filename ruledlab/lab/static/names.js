@@ -1,6 +1,7 @@
 // What ipywidgets leaves out for those who use keyboard or screen reader: names for slider handles,
 // fields, menus and the player's buttons; toggles that say whether they are pressed; folds that open
-// by keyboard. And it tells the kernel whether the page is dark.
+// by keyboard. It keeps the keys pressed in the app from JupyterLab, for which a letter is a command on
+// the whole cell, and tells the kernel whether the page is dark.
 
 const PLAYER = ["play or pause", "stop and go back to the start", "repeat"];
 const QUIET = 20_000; // ms without a new part after which nothing more is expected
@@ -46,7 +47,6 @@ function unfold(head) {
   const fold = head.parentElement;
   head.setAttribute("role", "button");
   head.tabIndex = 0;
-  head.dataset.lmSuppressShortcuts = "true"; // else JupyterLab takes Enter
   head.addEventListener("keydown", (event) => {
     if (event.key !== "Enter" && event.key !== " ") return;
     event.preventDefault();
@@ -60,6 +60,17 @@ function reflect(node, className, part, attribute) {
   const tell = () => part.setAttribute(attribute, node.classList.contains(className));
   new MutationObserver(tell).observe(node, { attributes: true, attributeFilter: ["class"] });
   tell();
+}
+
+/** Whether the page may have a key: shortcuts such as saving, and Shift + Enter, which runs on. */
+const isThePages = (event) =>
+  event.ctrlKey || event.metaKey || (event.shiftKey && event.key === "Enter");
+
+/** Keep the app's keys from the page; return the function that ends it. */
+function keepKeys(app) {
+  const stop = (event) => isThePages(event) || event.stopPropagation();
+  app.addEventListener("keydown", stop);
+  return () => app.removeEventListener("keydown", stop);
 }
 
 const THEMED = {
@@ -100,7 +111,7 @@ function watchTheme(model, app) {
 
 function render({ model, el }) {
   el.style.display = "none";
-  let unwatch = () => {};
+  let stops = [];
   let timer = 0;
   // Only what is new: numbers and pictures change with every move, and have no names to be given.
   const arrived = (changes) => changes.flatMap(({ addedNodes }) => [...addedNodes]);
@@ -115,14 +126,14 @@ function render({ model, el }) {
   const frame = requestAnimationFrame(() => {
     const app = el.closest(".ruledlab");
     if (!app) return;
-    unwatch = watchTheme(model, app);
+    stops = [watchTheme(model, app), keepKeys(app)];
     name(app);
     observer.observe(app, { childList: true, subtree: true });
     wait();
   });
   return () => {
     cancelAnimationFrame(frame);
-    unwatch();
+    for (const stop of stops) stop();
     clearTimeout(timer);
     observer.disconnect();
   };

@@ -279,8 +279,6 @@ class View {
         class: "rl-pad",
         role: "group",
         "aria-label": "Domain pad",
-        "data-lm-suppress-shortcuts": "true",
-        "lm-suppress-shortcuts": "true",
       },
       html("div", { class: "rl-bar" }, this.readout, ...Object.values(this.buttons)),
       this.stage,
@@ -358,8 +356,6 @@ class View {
       listen(root, "keyup keypress", (e) => this.isOurs(e) && e.stopPropagation()),
       listen(stage, "focusin", (e) => this.onFocus(e)),
       listen(stage, "focusout", () => this.endRun()),
-      // Shortcuts with Ctrl or Command, such as saving, stay the page's own; no other key may reach it.
-      listen(window, "keydown", (e) => this.shield(e), true),
       this.watchSize(),
       () => {
         this.dropRun();
@@ -658,12 +654,6 @@ class View {
 
   isOurs(event) {
     return !event.ctrlKey && !event.metaKey;
-  }
-
-  shield(event) {
-    if (!this.root.contains(event.target)) return;
-    if (this.isOurs(event)) this.root.setAttribute("data-lm-suppress-shortcuts", "true");
-    else this.root.removeAttribute("data-lm-suppress-shortcuts");
   }
 
   onKey(event) {

@@ -18,8 +18,6 @@ function field(label) {
   input.spellcheck = false;
   input.setAttribute("aria-label", label);
   input.placeholder = label;
-  input.dataset.lmSuppressShortcuts = "true";
-  input.addEventListener("keydown", (event) => event.stopPropagation());
   return input;
 }
 
