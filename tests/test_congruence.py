@@ -11,9 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ruledlab.geometry.checks import GeometryError
+from ruledlab.geometry.choices import CHOICES
 from ruledlab.geometry.congruence import Congruence
 from ruledlab.geometry.curve import Bezier
-from ruledlab.geometry.field import CHOICES
 from ruledlab.geometry.line import common_perpendicular
 from ruledlab.geometry.surface import RuledSurface
 

@@ -22,8 +22,8 @@ from hypothesis import strategies as st
 
 from ruledlab.design import CLOSINGS, Design
 from ruledlab.geometry import gallery
+from ruledlab.geometry.choices import CHOICES
 from ruledlab.geometry.curve import Bezier, seam
-from ruledlab.geometry.field import CHOICES
 from ruledlab.lab import controls
 from ruledlab.lab.controls import (
     FieldControl,

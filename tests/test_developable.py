@@ -10,9 +10,9 @@ from hypothesis import given, settings
 
 from ruledlab.geometry import gallery
 from ruledlab.geometry.checks import GeometryError
+from ruledlab.geometry.choices import CHOICES
 from ruledlab.geometry.curve import Bezier
 from ruledlab.geometry.developable import developable_from_ubar, tangent_developable
-from ruledlab.geometry.field import CHOICES
 from ruledlab.geometry.special import special_rulings
 from ruledlab.geometry.surface import RuledSurface
 
@@ -66,6 +66,22 @@ def test_on_a_parallel_circle_v_bar_is_fixed():
     found = developable_from_ubar(helix.curve, "0.6*u", 17.0)
     agree(found.vbar(T), np.full(3, -0.6))
     agree(found.surface.striction(T), helix.striction(T))
+
+
+EQUATOR = Bezier([[0.0, math.pi / 2], [2.0, math.pi / 2]])
+
+
+@pytest.mark.parametrize("ubar", ["0", "0.7", "0.7 + cos(v)"])
+def test_on_the_equator_a_constant_u_bar_leaves_v_bar_free(ubar):
+    found = developable_from_ubar(EQUATOR, ubar, -1.5)
+    agree(found.vbar(T), np.full(3, -1.5))
+    agree(found.surface.invariants(T).kappa_bar, np.zeros(3))
+
+
+@pytest.mark.parametrize("ubar", ["u", "0.5*u", "1e-8*sin(u)"])
+def test_on_the_equator_a_u_bar_that_changes_is_refused_with_the_other_way(ubar):
+    with pytest.raises(GeometryError, match=r"leave the equator.*π/2.*use tangent_developable"):
+        developable_from_ubar(EQUATOR, ubar)
 
 
 def test_a_curve_that_rises_and_falls_is_refused_with_the_other_way():

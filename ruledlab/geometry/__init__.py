@@ -8,12 +8,14 @@ from __future__ import annotations
 
 from .bspline import BSpline
 from .checks import GeometryError
+from .choices import CHOICES, Choice
 from .closed import ArcLengths, Closure
 from .congruence import Congruence, Focal
 from .curve import Bezier
 from .developable import Developable, developable_from_ubar, tangent_developable
 from .dual import Dual, cross, inner, norm, normalize
-from .field import CHOICES, Choice, Field, FormulaError, field, named_number, number
+from .field import Field, field, named_number, number
+from .formula import FormulaError
 from .function import Function, Lifted, function
 from .line import CommonPerpendicular, Line, common_perpendicular, dual_angle, relation
 from .motion import FrameEquations, Screw, StrictionLength, frame_equations, screw

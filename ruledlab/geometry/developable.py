@@ -60,7 +60,8 @@ def developable_from_ubar(curve: Curve, ubar: Any, start: float = 0.0) -> Develo
     """Return the developable surface with this curve and ū, and v̄ = ``start`` at its beginning.
 
     Along a parallel circle (v′ ≡ 0) the equation is none for v̄′, so v̄ = −ū′ tan v/u′ is fixed and
-    ``start`` plays no part.
+    ``start`` plays no part. On the equator v̄ drops out, too: where ū is constant along it every v̄
+    will do, and the constant ``start`` is taken.
 
     Parameters
     ----------
@@ -75,7 +76,7 @@ def developable_from_ubar(curve: Curve, ubar: Any, start: float = 0.0) -> Develo
     ------
     GeometryError
         where v′ changes sign or comes down to 0, where the equation is singular and v̄ in general
-        infinite; `tangent_developable` serves such curves too.
+        infinite, and on the equator where ū changes; `tangent_developable` serves such curves too.
     """
     if curve.batch_shape:
         raise GeometryError(
@@ -84,7 +85,7 @@ def developable_from_ubar(curve: Curve, ubar: Any, start: float = 0.0) -> Develo
     chosen = field(ubar, "ubar")
     first = float(finite_array(start, "start"))
     level = _is_parallel(curve)
-    values = _on_parallel(curve, chosen) if level else _solved(curve, chosen, first)
+    values = (_on_parallel if level else _solved)(curve, chosen, first)
     source = _FromUbar(curve, chosen, values, level)
     return Developable(RuledSurface.from_source(source), values)
 
@@ -132,13 +133,35 @@ def _solved(curve: Curve, ubar: Field, first: float) -> Callable[[Array], Array]
     return lambda t: np.asarray(solved.sol(t)[0])
 
 
-def _on_parallel(curve: Curve, ubar: Field) -> Callable[[Array], Array]:
+def _on_parallel(curve: Curve, ubar: Field, first: float) -> Callable[[Array], Array]:
+    if _is_equator(curve):
+        return _on_equator(curve, ubar, first)
+
     def values(t: Array) -> Array:
         with np.errstate(all="ignore"):
             p, q, _ = _terms(curve, ubar, t, 0)
             return np.asarray((-q / p).value)
 
     return values
+
+
+def _is_equator(curve: Curve) -> bool:
+    t = np.linspace(*curve.domain, SAMPLES)
+    return bool((np.abs(np.cos(curve.series(t, 0).value[1])) <= LEVEL).all())
+
+
+def _on_equator(curve: Curve, ubar: Field, first: float) -> Callable[[Array], Array]:
+    """Return a constant v̄, which will do where ū rests: on the equator κ κ̄ = u′ ū′."""
+    t = np.linspace(*curve.domain, SAMPLES)
+    angles = curve.series(t, 1)
+    height = ubar(angles[0], angles[1]) + 0.0 * angles[0]
+    floor = LEVEL * float(curve.scale) * np.abs(height.value).max()
+    if not (np.abs(height.derivative().value) <= floor).all():
+        raise GeometryError(
+            "`curve` must leave the equator where ū changes along it; got v = π/2, where κ̄ does "
+            "not depend on v̄; use tangent_developable, or another v"
+        )
+    return lambda t: np.full(t.shape, first)
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -16,7 +16,8 @@ import numpy as np
 
 from .checks import GeometryError
 from .dual import Dual
-from .field import Field, FormulaError, field
+from .field import Field, field
+from .formula import FormulaError
 
 __all__ = ["Function", "Lifted", "function"]
 

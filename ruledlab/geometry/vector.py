@@ -12,8 +12,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from .checks import GeometryError, finite_array
-from .field import Field, FormulaError
+from .field import Field
 from .field import field as formula
+from .formula import FormulaError
 
 __all__ = ["Vector", "vector"]
 

@@ -21,8 +21,10 @@ import numpy as np
 
 from ..design import CLOSINGS, Design
 from ..geometry.checks import GeometryError
+from ..geometry.choices import CHOICES
 from ..geometry.curve import Bezier, close, drag, insert, remove
-from ..geometry.field import CHOICES, FormulaError, field, named_number, number
+from ..geometry.field import field, named_number, number
+from ..geometry.formula import FormulaError
 from ..geometry.gallery import GALLERY, Example
 from .scene import SYMBOLS
 from .slate import Change, Slate
