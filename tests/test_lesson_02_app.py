@@ -46,7 +46,8 @@ def test_a_slider_goes_to_both_ends_and_back(app, name):
         for end in NUMBERS[key][1]:
             control.slider.value = end
             assert getattr(getattr(app.slate.value, name), key) == pytest.approx(end, abs=0.01)
-            assert shown(app) != said
+            # line B runs along the x-axis: its given point slides along it, and nothing follows
+            assert (shown(app) == said) == ((name, key) == ("b", "x"))
             assert not control.error.value
         control.field.value = repr(getattr(getattr(before, name), key))
         assert app.slate.value == before
@@ -131,6 +132,77 @@ def test_reverse_changes_both_signs_of_the_chosen_line_only(app, name):
     assert app.lines.preset.value == ""
     app.lines.reverse.click()
     np.testing.assert_allclose(app.slate.result.a.moment, before.a.moment, atol=1e-14)
+
+
+# -- handles -----------------------------------------------------------------------------------
+
+
+def pull(app, index, by, drag=1):
+    """Move a handle in the picture by pixels."""
+    handle = app.handles.picture["handles"][index]
+    app.handles.motion = ["view", drag, index, handle["x"] + by[0], handle["y"] + by[1]]
+    return handle
+
+
+@pytest.mark.parametrize(("index", "name"), [(0, "a"), (2, "b")])
+def test_the_disc_takes_the_line_along_as_it_points(app, index, name):
+    before, other = getattr(app.slate.value, name), app.slate.value
+    handle = pull(app, index, (30, -20))
+    after = getattr(app.slate.value, name)
+    assert (after.u, after.v) == (before.u, before.v)
+    assert after.point.tolist() != before.point.tolist()
+    assert app.slate.value == replace(other, **{name: after})
+    now = app.handles.picture["handles"][index]  # within the rounding to 0.01
+    assert (now["x"], now["y"]) == pytest.approx((handle["x"] + 30, handle["y"] - 20), abs=0.6)
+    assert app.lines.which.value == name
+    assert app.lines.numbers["x"].field.value == f"{after.x:g}"
+
+
+@pytest.mark.parametrize(("index", "name"), [(1, "a"), (3, "b")])
+def test_the_diamond_turns_the_line_about_its_given_point(app, index, name):
+    before = getattr(app.slate.value, name)
+    pivot, tip = app.handles.picture["handles"][index - 1 : index + 1]
+    pull(app, index, (-25, 35))
+    after = getattr(app.slate.value, name)
+    assert (after.x, after.y, after.z) == (before.x, before.y, before.z)
+    assert (after.u, after.v) != (before.u, before.v)
+    still, now = app.handles.picture["handles"][index - 1 : index + 1]
+    assert still == pivot
+    wanted = complex(tip["x"] - 25 - pivot["x"], tip["y"] + 35 - pivot["y"])
+    found = complex(now["x"] - pivot["x"], now["y"] - pivot["y"])
+    assert abs((found / wanted).imag) < 0.03 * abs(found / wanted), "it points to the pointer"
+    assert (found / wanted).real > 0
+
+
+def test_a_drag_is_one_step_of_undo_and_the_next_another(app):
+    first = app.slate.value
+    for step in (10, 20, 30):
+        pull(app, 0, (step, 0), drag=1)
+    second = app.slate.value
+    pull(app, 0, (10, 10), drag=2)
+    app.history.undo.click()
+    assert app.slate.value == second
+    app.history.undo.click()
+    assert app.slate.value == first
+    assert not app.slate.can_undo
+
+
+def test_a_handle_keeps_within_the_reach_of_the_sliders(app):
+    for index in range(4):
+        for by in ((5000, 0), (-5000, 0), (0, 5000), (0, -5000)):
+            pull(app, index, by, drag=index)
+            for name in "ab":
+                line = getattr(app.slate.value, name)
+                for key, (_, (low, high), _) in NUMBERS.items():
+                    assert low <= getattr(line, key) <= high
+    assert app.slate.result.across.relation
+    for number in app.lines.numbers.values():
+        assert not number.error.value
+
+
+def test_the_handles_have_names(app):
+    labels = [handle["label"] for handle in app.handles.picture["handles"]]
+    assert labels == [f"{what} of line {n}" for n in "AB" for what in ("given point", "direction")]
 
 
 # -- views -----------------------------------------------------------------------------------------
@@ -272,6 +344,16 @@ def test_only_the_right_line_meets_the_axis(seed):
         triple = np.linalg.det([[0, 0, 1], direction, point])
         across = np.linalg.norm(np.cross([0, 0, 1], direction))
         assert (abs(triple) < 1e-9 and across > 0) == option.right
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_the_curve_to_sketch_is_that_of_the_turning_line(seed):
+    task = find("02.11").task(seed)
+    height = 1.0 if "1 above" in task.question else -1.0
+    for t in (0.0, 0.2, 0.5, 0.9, 1.0):
+        y = np.array([math.cos(math.pi * t), math.sin(math.pi * t), 0.0])
+        moment = np.cross([0.0, 0.0, height], y)
+        assert task.curve(np.array([t]))[0] == pytest.approx(moment[0])  # x = e₁, x̄ = 0
 
 
 @pytest.mark.parametrize("seed", SEEDS)

@@ -22,6 +22,7 @@ from ruledlab.lab.scenes.line_pair import (
     pair_html,
     picture,
     relation_words,
+    sight,
     words,
 )
 
@@ -93,6 +94,47 @@ def test_reversing_one_line_turns_the_angle_and_the_sign_of_d(lines):
         return
     assert second.across.angle == pytest.approx(math.pi - first.across.angle, abs=1e-9)
     assert second.across.distance == pytest.approx(-first.across.distance, abs=1e-8)
+
+
+@few
+@given(one_line, st.tuples(coordinate, coordinate, coordinate))
+def test_a_line_is_aimed_at_a_point_and_keeps_its_own(line, at):
+    way = np.array(at) - line.point
+    aimed = line.aimed(np.array(at))
+    assert (aimed.x, aimed.y, aimed.z) == (line.x, line.y, line.z)
+    if np.linalg.norm(way) > 0.1:  # u and v are rounded to 0.01
+        cosine = aimed.line.direction @ way / np.linalg.norm(way)
+        assert cosine > math.cos(0.0072)
+    assert abs(aimed.u) <= 6.3
+    assert 0.0 <= aimed.v <= math.pi
+
+
+def test_the_longitude_goes_on_when_a_line_is_turned_round():
+    line = OneLine(0.0, math.pi / 2, 0.0, 0.0, 0.0)
+    for turn in np.linspace(0, 6.2, 63):
+        line = line.aimed(np.array([math.cos(turn), math.sin(turn), 0.0]))
+        assert line.u == pytest.approx(turn, abs=0.006)
+    assert line.aimed(np.array([0.0, 0.0, 2.0])) == replace(line, v=0.0)
+    assert line.aimed(line.point) == line
+
+
+def test_what_is_drawn_fills_the_sight():
+    axes = np.eye(3)
+    for lines in PRESETS.values():
+        overlay = picture(between(lines))
+        centre, radius = sight(overlay, axes, 2.0)
+        points = np.concatenate([s.points for s in overlay.strokes]) - centre
+        across, up = np.nanmax(np.abs(points[:, :2]), axis=0)
+        assert max(across / 2, up) <= radius
+        assert radius < 1.6 * max(across / 2, up)
+
+
+def test_the_given_points_stand_apart_from_the_feet():
+    for name, lines in PRESETS.items():
+        across = between(lines).across
+        if name in ("skew", "parallel", "antiparallel"):
+            for line, foot in ((lines.a, across.foot_a), (lines.b, across.foot_b)):
+                assert np.linalg.norm(line.point - foot) > 0.3, name
 
 
 def test_one_line_and_its_reverse_are_called_opposite():

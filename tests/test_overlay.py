@@ -15,7 +15,7 @@ from ipywidgets.widgets import widget as registry
 
 from ruledlab.geometry import GeometryError
 from ruledlab.geometry.gallery import GALLERY
-from ruledlab.lab import Lab, example, shaders
+from ruledlab.lab import Lab, example, shaders, sight
 from ruledlab.lab import view3d as v3
 from ruledlab.lab.glyphs import KNOWN, lettering
 from ruledlab.lab.overlay import COLUMNS, Dot, Label, Overlay, Packed, Sheet, Stroke, ball, pack
@@ -414,7 +414,7 @@ def test_close_closes_all_of_it():
 # ---- the camera
 
 
-def sight(view: v3.SurfaceView, points: np.ndarray) -> np.ndarray:
+def shown_at(view: v3.SurfaceView, points: np.ndarray) -> np.ndarray:
     """Where points are seen, both coordinates from −1 to 1 in the picture: a plain matrix way."""
     camera = view._camera
     x, y, z, w = camera.quaternion
@@ -451,7 +451,7 @@ def test_a_frame_is_looked_at_until_a_scene_is_drawn(view):
 def test_without_a_frame_the_first_overlay_is_brought_into_sight(view):
     view.overlay(everything(20.0))
     points = np.vstack([CORNER + 20.0, CORNER[:2] - 20.0])
-    assert np.abs(sight(view, points)).max() < 1
+    assert np.abs(shown_at(view, points)).max() < 1
     where = view._camera.position
     view.overlay(everything(30.0))
     assert view._camera.position == where
@@ -514,15 +514,18 @@ def test_the_mean_ruling_neither_points_at_the_eye_nor_away(longitude, latitude,
     around = np.cos(turn)[:, None] * first + np.sin(turn)[:, None] * second
     directions = axis + spread * around
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
-    azimuth = v3._azimuth(hyperboloid(50, direction=directions))
-    assert math.cos(azimuth - longitude) == pytest.approx(math.cos(v3.ASIDE))
-    assert v3._away(azimuth) @ axis > 0.15  # its image lies before the sphere
+    azimuth = sight.azimuth_for(hyperboloid(50, direction=directions))
+    assert math.cos(azimuth - longitude) == pytest.approx(math.cos(sight.ASIDE))
+    assert sight.away(azimuth) @ axis > 0.15  # its image lies before the sphere
 
 
 def test_without_a_mean_direction_the_usual_side_is_kept():
-    assert v3._azimuth(hyperboloid()) == v3.AZIMUTH
-    assert v3._azimuth(hyperboloid(direction=np.full((400, 3), np.nan))) == v3.AZIMUTH
-    assert v3._azimuth(hyperboloid(direction=np.tile([0.0, 0.0, 1.0], (400, 1)))) == v3.AZIMUTH
+    assert sight.azimuth_for(hyperboloid()) == sight.AZIMUTH
+    assert sight.azimuth_for(hyperboloid(direction=np.full((400, 3), np.nan))) == sight.AZIMUTH
+    assert (
+        sight.azimuth_for(hyperboloid(direction=np.tile([0.0, 0.0, 1.0], (400, 1))))
+        == sight.AZIMUTH
+    )
 
 
 @pytest.mark.parametrize("item", GALLERY, ids=lambda item: item.key)
@@ -530,7 +533,7 @@ def test_every_surface_of_the_gallery_is_seen_whole_and_not_small(view, item):
     scene = Lab(example(item.key)).result.scene
     view.draw(scene)
     ends = np.concatenate([scene.base + w * scene.direction for w in scene.w])
-    seen = np.abs(sight(view, ends[np.isfinite(ends).all(axis=1)]))
+    seen = np.abs(shown_at(view, ends[np.isfinite(ends).all(axis=1)]))
     assert np.quantile(seen, 0.99) < 1.0
     assert np.quantile(seen.max(axis=1), 0.98) > 0.5
     image = scene.direction[np.isfinite(scene.direction).all(axis=1)]
@@ -556,7 +559,7 @@ def test_a_line_of_sight_meets_the_quadric_where_its_equation_says(azimuth, heig
     if any(abs(abs(h) - reach) < 0.02 for h in heights) or np.ptp(roots) < 0.3:
         return  # at the rim, or grazing: rounding decides
     met = [depth for depth, h in zip(depths, heights, strict=True) if abs(h) < reach]
-    place = v3._first_hit(scene, eye, way)
+    place = sight.first_hit(scene, eye, way)
     assert (place is None) == (not met)
     if place is not None:
         t, w = place
@@ -570,15 +573,15 @@ def test_rulings_that_are_undefined_are_not_hit():
     base = scene.base.copy()
     base[:] = np.nan
     assert (
-        v3._first_hit(dataclasses.replace(scene, base=base), np.array([6.0, 0, 0]), -CORNER[1])
+        sight.first_hit(dataclasses.replace(scene, base=base), np.array([6.0, 0, 0]), -CORNER[1])
         is None
     )
 
 
 def test_what_lies_behind_the_eye_is_not_hit():
     eye, way = np.array([6.0, 0.5, 0.2]), np.array([1.0, 0.0, 0.0])
-    assert v3._first_hit(hyperboloid(), eye, -way) is not None
-    assert v3._first_hit(hyperboloid(), eye, way) is None
+    assert sight.first_hit(hyperboloid(), eye, -way) is not None
+    assert sight.first_hit(hyperboloid(), eye, way) is None
 
 
 def hits(eye, goal) -> list[dict[str, object]]:
@@ -636,6 +639,6 @@ def test_the_inset_sphere_hides_what_lies_behind(view):
     view.sphere("large")
     goal = np.array([0.4, 0.3, 0.5])
     shift, scale = view._lens[:2], view._lens[2]
-    drawn = scale * sight(view, goal[None])[0] + shift  # where the shifted picture shows it
+    drawn = scale * shown_at(view, goal[None])[0] + shift  # where the shifted picture shows it
     aimed = view._aimed(way_to(drawn))
     np.testing.assert_allclose(np.cross(aimed, goal - eye), 0.0, atol=1e-9)

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from ipywidgets.widgets import widget as registry
 
-from ruledlab.lab import shaders
+from ruledlab.lab import colouring, shaders, sight, textures
 from ruledlab.lab import view3d as v3
 from ruledlab.lab.palette import DARK, LIGHT
 from ruledlab.lab.scene import Mark, Scene
@@ -92,7 +92,7 @@ def decoded(data: np.ndarray, width: int) -> np.ndarray:
 
 def test_columns_hold_the_rulings_and_tell_their_number():
     scene = helicoid(130)
-    data = v3.rulings_data(scene)
+    data = textures.rulings_data(scene)
     assert data.dtype == np.float32
     assert data.shape == (shaders.ROWS, 160, 4)
     np.testing.assert_allclose(data[0, :130, :3], scene.base, atol=1e-6)
@@ -107,14 +107,14 @@ def test_columns_hold_the_rulings_and_tell_their_number():
 
 
 def test_control_points_are_told_from_empty_columns():
-    data = v3.rulings_data(helicoid())
+    data = textures.rulings_data(helicoid())
     np.testing.assert_array_equal(data[5, :3, :3], np.eye(3))
     assert data[5, :, 3].sum() == 3
 
 
 def test_more_control_points_than_rulings_find_room():
     many = np.tile([1.0, 0.0, 0.0], (61, 1))
-    data = v3.rulings_data(helicoid(50, control_directions=many))
+    data = textures.rulings_data(helicoid(50, control_directions=many))
     assert data.shape[1] >= 61
     assert data[5, :, 3].sum() == 61
 
@@ -125,7 +125,7 @@ def test_a_bad_row_is_a_hole_and_no_spike(where, bad):
     scene = helicoid()
     broken = getattr(scene, where).copy()
     broken[60:63, 1] = bad
-    data = v3.rulings_data(dataclasses.replace(scene, **{where: broken}))
+    data = textures.rulings_data(dataclasses.replace(scene, **{where: broken}))
     assert np.isfinite(data).all()
     flag = 4 if where == "striction" else 0
     if where in ("base", "striction") or not np.isfinite(bad):
@@ -138,7 +138,7 @@ def test_an_undefined_direction_leaves_the_spherical_image_open():
     scene = helicoid()
     direction = scene.direction.copy()
     direction[10] = np.nan
-    data = v3.rulings_data(dataclasses.replace(scene, direction=direction))
+    data = textures.rulings_data(dataclasses.replace(scene, direction=direction))
     lengths = np.linalg.norm(data[1, :200, :3], axis=1)
     assert lengths[10] == 0
     np.testing.assert_allclose(np.delete(lengths, 10), 1.0, rtol=1e-6)
@@ -158,7 +158,7 @@ def test_a_useless_radius_or_centre_is_survived(view, radius):
 def test_the_cursor_carries_its_own_vectors():
     scene = helicoid()
     mark = mark_at(scene, 37)
-    data = v3.mark_data(mark, (-1.0, 2.0), 0.7)
+    data = textures.mark_data(mark, (-1.0, 2.0), 0.7)
     np.testing.assert_allclose(data[0, 1:4, :3], mark.frame, atol=1e-6)
     np.testing.assert_allclose(data[0, 4, :3], mark.striction, atol=1e-6)
     assert (data[0, 1:5, 3] == 1).all()
@@ -169,14 +169,14 @@ def test_undefined_arrows_are_hidden_and_the_ruling_stays():
     mark = mark_at(helicoid(), 5)
     frame = mark.frame.copy()
     frame[1:] = np.nan
-    data = v3.mark_data(dataclasses.replace(mark, frame=frame), (0.0, 1.0), 1.0)
+    data = textures.mark_data(dataclasses.replace(mark, frame=frame), (0.0, 1.0), 1.0)
     assert np.isfinite(data).all()
     assert data[0, 1:5, 3].tolist() == [1, 0, 0, 1]
 
 
 def test_without_a_base_there_is_no_moving_ruling():
     mark = dataclasses.replace(mark_at(helicoid(), 5), base=np.full(3, np.nan))
-    assert v3.mark_data(mark, (0.0, 1.0), 1.0)[0, 1, 3] == 0
+    assert textures.mark_data(mark, (0.0, 1.0), 1.0)[0, 1, 3] == 0
 
 
 # ---- colour
@@ -187,8 +187,8 @@ def test_bytes_come_back_and_nan_is_zero():
     values[7, 4] = np.nan
     values[8, 12] = np.inf
     scene = helicoid(50, colour=values)
-    scale = v3.colour_scale(values)
-    codes = decoded(v3.rulings_data(scene)[:, :50], 13)
+    scale = colouring.colour_scale(values)
+    codes = decoded(textures.rulings_data(scene)[:, :50], 13)
     assert codes[7, 4] == codes[8, 12] == 0
     fine = codes > 0
     assert fine.sum() == values.size - 2
@@ -197,11 +197,11 @@ def test_bytes_come_back_and_nan_is_zero():
 
 
 def test_scale_is_diverging_only_when_both_signs_occur():
-    both = v3.colour_scale(np.linspace(-1.0, 3.0, 101))
+    both = colouring.colour_scale(np.linspace(-1.0, 3.0, 101))
     assert both.diverging
     assert both.low == -both.high
     for values in (np.linspace(0.0, 3.0, 101), -np.linspace(0.0, 3.0, 101)):
-        scale = v3.colour_scale(values)
+        scale = colouring.colour_scale(values)
         assert not scale.diverging
         assert scale.low == 0 or scale.high == 0
 
@@ -209,7 +209,7 @@ def test_scale_is_diverging_only_when_both_signs_occur():
 def test_one_steep_place_does_not_flatten_the_scale():
     values = np.linspace(0.0, 1.0, 1000)
     values[-3:] = 1e9
-    scale = v3.colour_scale(values)
+    scale = colouring.colour_scale(values)
     assert scale.high < 1.2
     assert scale.clipped_high
     assert not scale.clipped_low
@@ -221,7 +221,7 @@ numbers = st.floats(-1e6, 1e6, allow_subnormal=False)
 @given(st.lists(st.one_of(numbers, st.just(math.nan)), min_size=1, max_size=40))
 def test_scale_is_an_interval_that_holds_almost_all_values(values):
     array = np.array(values)
-    scale = v3.colour_scale(array)
+    scale = colouring.colour_scale(array)
     assert np.isfinite([scale.low, scale.high]).all()
     assert scale.low < scale.high
     finite = array[np.isfinite(array)]
@@ -239,10 +239,11 @@ def luminance(colour: str) -> float:
 
 
 def test_colour_maps_read_without_hue():
-    assert len(v3.SEQUENTIAL) == len(v3.DIVERGING_LIGHT) == len(v3.DIVERGING_DARK) == 7
-    light = [luminance(c) for c in v3.SEQUENTIAL]
+    maps = colouring.SEQUENTIAL, colouring.DIVERGING_LIGHT, colouring.DIVERGING_DARK
+    assert [len(colours) for colours in maps] == [7, 7, 7]
+    light = [luminance(c) for c in colouring.SEQUENTIAL]
     assert (np.diff(light) > 0.01).all()
-    for stops, sign in ((v3.DIVERGING_LIGHT, 1), (v3.DIVERGING_DARK, -1)):
+    for stops, sign in ((colouring.DIVERGING_LIGHT, 1), (colouring.DIVERGING_DARK, -1)):
         arms = sign * np.diff([luminance(c) for c in stops])
         assert (arms[:3] > 0).all()
         assert (arms[3:] < 0).all()
@@ -328,7 +329,7 @@ def turned(quaternion: tuple[float, ...], vector: np.ndarray) -> np.ndarray:
 def test_quaternion_looks_back_along_its_direction_with_z_upright(azimuth, elevation):
     flat = np.cos(elevation)
     away = np.array([flat * np.cos(azimuth), flat * np.sin(azimuth), np.sin(elevation)])
-    quaternion = v3._looking(3.0 * away)
+    quaternion = sight.looking(3.0 * away)
     assert np.linalg.norm(quaternion) == pytest.approx(1)
     # a camera looks along its own −z; its x must lie level
     np.testing.assert_allclose(turned(quaternion, np.array([0, 0, -1.0])), -away, atol=1e-9)
@@ -505,5 +506,5 @@ def test_two_views_share_nothing():
 def test_nothing_that_is_not_finite_is_ever_sent(values, where):
     noise = np.resize(np.array(values), (50, 3))
     name = ("base", "direction", "striction", "direction_rate")[where]
-    data = v3.rulings_data(helicoid(50, **{name: noise}))
+    data = textures.rulings_data(helicoid(50, **{name: noise}))
     assert np.isfinite(data).all()

@@ -8,10 +8,16 @@ from dataclasses import replace
 from typing import Any, Final
 
 import ipywidgets as w
+import numpy as np
 
+from ...geometry.checks import Array
 from ..controls import Group, HistoryControl, NumberControl, Strokes
-from ..overlay import Overlay, ball
+from ..handles import Grasp, Grip, Handles
+from ..overlay import Overlay
 from ..scenes.line_pair import (
+    COLOURS,
+    MOST_U,
+    PLACES,
     PRESETS,
     OneLine,
     Pair,
@@ -20,23 +26,41 @@ from ..scenes.line_pair import (
     lines_html,
     pair_html,
     picture,
+    sight,
     words,
 )
+from ..sight import away
 from ..slate import Change, Slate
 from ..view3d import SurfaceView
 from .base import App
 
 __all__ = ["TwoLinesApp", "two_lines"]
 
+WIDTH, HEIGHT = 620, 430
 # -- what the reader moves -------------------------------------------------------------------------
 
 NUMBERS: Final = {
-    "u": ("u, longitude of the direction in radians", (-6.3, 6.3), 0.01),
+    "u": ("u, longitude of the direction in radians", (-MOST_U, MOST_U), 0.01),
     "v": ("v, colatitude of the direction in radians", (0.0, math.pi), 0.01),
-    "x": ("x of a point of the line", (-4.0, 4.0), 0.05),
-    "y": ("y of a point of the line", (-4.0, 4.0), 0.05),
-    "z": ("z of a point of the line", (-4.0, 4.0), 0.05),
+    "x": ("x of the given point of the line", PLACES, 0.05),
+    "y": ("y of the given point of the line", PLACES, 0.05),
+    "z": ("z of the given point of the line", PLACES, 0.05),
 }
+
+
+GRIPS: Final = (("a", "point"), ("a", "direction"), ("b", "point"), ("b", "direction"))
+"""The handles: of which line, and what of it they move."""
+
+
+def grips(lines: TwoLines) -> tuple[Grip, ...]:
+    """Return the handles of both lines, in the order of `GRIPS`."""
+    made = []
+    for name, part in GRIPS:
+        line: OneLine = getattr(lines, name)
+        what = "given point" if part == "point" else "direction"
+        place = line.point if part == "point" else line.ahead
+        made.append(Grip(place, part, COLOURS[name], f"{what} of line {name.upper()}"))
+    return tuple(made)
 
 
 class LineControl(Group):
@@ -78,6 +102,14 @@ class LineControl(Group):
         name, line = self.which.value, replace(self._chosen, **{key: value})
         self._slate.edit(key, self._strokes.token((name, key)), **{name: line})
 
+    def grasp(self, grasp: Grasp) -> None:
+        """Move the line whose handle the reader has in hand, and choose it."""
+        name, part = GRIPS[grasp.index]
+        line = getattr(self._slate.value, name)
+        line = line.moved(grasp.place) if part == "point" else line.aimed(grasp.place)
+        self.which.value = name
+        self._slate.edit("handle", ("handle", *grasp.drag), **{name: line})
+
     def _reverse(self) -> None:
         self._slate.edit("reverse", **{self.which.value: self._chosen.reversed()})
 
@@ -114,8 +146,13 @@ class TwoLinesApp(App):
     def __init__(self, slate: Slate[TwoLines, Pair]) -> None:
         self.slate = slate
         super().__init__(slate)
-        self.view, self.lines, self.look = SurfaceView(620, 430), LineControl(slate), LookControl()
-        self.history = HistoryControl(slate)
+        self.view, self.lines, self.look = (
+            SurfaceView(WIDTH, HEIGHT),
+            LineControl(slate),
+            LookControl(),
+        )
+        self.history, self.handles = HistoryControl(slate), Handles(self.view)
+        self._releases += [self.handles.close, self.handles.on_grasp(self._grasp)]
         self.view.sphere("off")
         self.of_pair, self.of_lines = w.HTML(), w.HTML()
         self._views, self._groups = [self.view], [self.lines, self.look, self.history]
@@ -127,19 +164,22 @@ class TwoLinesApp(App):
     def _grid(self) -> Any:
         look = self.look
         head = [self.lines.preset, self.history.widget, look.moments, look.sphere, look.home]
+        stage = w.Box([self.view.widget, self.handles]).add_class("ruledlab-space")
         parts = {
             "head": w.Box(head),
             "hand": self.lines.widget,
             "edit": w.VBox([self.of_pair]),
-            "right": w.VBox([self.view.widget, self.of_lines]),
+            "right": w.VBox([stage, self.of_lines]),
         }
         for name, part in parts.items():
             part.add_class(f"ruledlab-{name}")
         return w.Box([*parts.values()]).add_class("ruledlab-grid")
 
+    def _grasp(self, grasp: Grasp) -> None:
+        self.lines.guard(lambda: self.lines.grasp(grasp))
+
     def _home(self) -> None:
-        centre, radius = ball(self._picture())
-        self.view.frame(centre, 0.92 * radius)
+        self.view.frame(*sight(self._picture(), _axes(), WIDTH / HEIGHT))
 
     def _picture(self) -> Overlay:
         return picture(
@@ -150,11 +190,20 @@ class TwoLinesApp(App):
         """Draw both lines and write their numbers."""
         if change.scene:
             self.view.overlay(self._picture())
+            self.handles.draw(grips(self.slate.value))
             self.view.describe(words(self.slate.result))
             self.of_pair.value = pair_html(self.slate.result)
             self.of_lines.value = lines_html(self.slate.result)
         if change.loaded:
             self._home()
+
+
+def _axes() -> Array:
+    """Return right, up and towards the eye for who looks from the usual side, as rows."""
+    towards = away()
+    right = np.cross((0.0, 0.0, 1.0), towards)
+    right /= np.linalg.norm(right)
+    return np.stack([right, np.cross(towards, right), towards])
 
 
 def two_lines(lines: TwoLines | None = None) -> TwoLinesApp:

@@ -15,10 +15,11 @@ import numpy as np
 from ...geometry import CommonPerpendicular, Dual, Line, common_perpendicular, inner
 from ...geometry.checks import Array
 from ..overlay import Dot, Label, Overlay, Sheet, Stroke
-from ..palette import LIGHT
 from ..scene import on_sphere
 
 __all__ = [
+    "MOST_U",
+    "PLACES",
     "PRESETS",
     "OneLine",
     "Pair",
@@ -28,11 +29,17 @@ __all__ = [
     "pair_html",
     "picture",
     "relation_words",
+    "sight",
     "words",
 ]
 
 REACH: Final = 2.2  # half of the length of a line that is drawn, beyond what lies on it
 FAR: Final = 12.0  # from the origin, where feet of nearly parallel lines are no longer drawn
+AHEAD: Final = 1.4  # from the given point to the handle of the direction
+PLACES: Final = (-4.0, 4.0)  # where x, y and z of a given point may be
+MOST_U: Final = 6.3
+SHORTEST: Final = 1e-6
+ROOM: Final = 1.24  # about what is drawn, for labels and for what is nearer to the eye
 ORIGIN: Final = np.zeros(3)
 COLOURS: Final = {"a": "kappa", "b": "tau"}
 BREADTH: Final = {"a": 1.7, "b": 1.0}  # A is broader, so that both are seen where they coincide
@@ -59,10 +66,43 @@ class OneLine:
         direction = on_sphere(np.array([self.u, self.v]))
         return Line.from_point_direction([self.x, self.y, self.z], direction)
 
+    @property
+    def point(self) -> Array:
+        """The given point."""
+        return np.array([self.x, self.y, self.z])
+
+    @property
+    def ahead(self) -> Array:
+        """The point `AHEAD` of the given one along the line: where its direction is taken."""
+        there: Array = self.point + AHEAD * on_sphere(np.array([self.u, self.v]))
+        return there
+
+    def moved(self, to: Array) -> OneLine:
+        """Return the parallel line through a point, as near to it as the sliders reach."""
+        x, y, z = (round(float(entry), 2) for entry in np.clip(to, *PLACES))
+        return replace(self, x=x, y=y, z=z)
+
+    def aimed(self, at: Array) -> OneLine:
+        """Return the line through the given point that is directed to another."""
+        way = at - self.point
+        size = float(np.linalg.norm(way))
+        if size < SHORTEST:
+            return self
+        v = math.acos(max(-1.0, min(1.0, float(way[2]) / size)))
+        level = math.hypot(way[0], way[1]) / size
+        u = self.u if level < SHORTEST else _beside(math.atan2(way[1], way[0]), self.u)
+        return replace(self, u=round(u, 2), v=min(round(v, 2), math.pi))
+
     def reversed(self) -> OneLine:
         """Return the line through the same point, run through the other way."""
         turned = self.u + math.pi if self.u <= 0 else self.u - math.pi
         return replace(self, u=turned, v=math.pi - self.v)
+
+
+def _beside(u: float, old: float) -> float:
+    """Return the longitude that is nearest to the old one, within the reach of the slider."""
+    u += 2 * math.pi * round((old - u) / (2 * math.pi))
+    return u - math.copysign(2 * math.pi, u) if abs(u) > MOST_U else u
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,18 +129,21 @@ def between(lines: TwoLines) -> Pair:
     return Pair(a, b, inner(a.dual, b.dual), common_perpendicular(a, b))
 
 
-_A = OneLine(math.pi / 2, math.pi / 4, 1.5, 0.0, 0.0)
-_LEVEL = OneLine(0.0, math.pi / 2, 0.0, 0.0, 1.0)
+# The given points are not the feet, where their handles would hide them.
+_A = OneLine(math.pi / 2, math.pi / 4, 1.5, -0.5, -0.5)
+_LEVEL = OneLine(0.0, math.pi / 2, -1.0, 0.0, 1.0)
 PRESETS: Final = {
     "skew": TwoLines(
-        OneLine(math.pi / 3, 2 * math.pi / 3, -0.5, -1.5, -1.0),
-        OneLine(math.pi, 5 * math.pi / 6, -1.5, -0.5, -0.5),
+        OneLine(-math.pi / 4, math.pi / 6, 1.0, 0.0, -1.5),
+        OneLine(0.0, math.pi / 2, -1.0, 0.5, 1.0),
     ),
     "meeting": TwoLines(_LEVEL, OneLine(math.pi / 3, math.pi / 4, 0.5, 0.0, 1.0)),
-    "perpendicular and meeting": TwoLines(_LEVEL, OneLine(math.pi / 2, math.pi / 3, 0.5, 0.0, 1.0)),
-    "parallel": TwoLines(_A, replace(_A, x=-0.5, y=1.0)),
-    "antiparallel": TwoLines(_A, replace(_A.reversed(), x=-0.5, y=1.0)),
-    "equal": TwoLines(_A, _A),
+    "perpendicular and meeting": TwoLines(
+        _LEVEL, OneLine(math.pi / 2, math.pi / 4, 0.5, -0.5, 0.5)
+    ),
+    "parallel": TwoLines(_A, replace(_A, x=-0.5, y=0.0, z=-1.0)),
+    "antiparallel": TwoLines(_A, replace(_A.reversed(), x=-0.5, y=1.0, z=0.0)),
+    "equal": TwoLines(_A, replace(_A, y=0.0, z=0.0)),
 }
 """Positions of two lines by name."""
 
@@ -121,6 +164,28 @@ def picture(pair: Pair, *, moments: bool = True, sphere: bool = True) -> Overlay
         parts += [_sphere(pair)]
     parts += [Overlay(dots=(Dot(ORIGIN, "faint", 8, name="origin"),))]
     return _joined(parts)
+
+
+def sight(overlay: Overlay, axes: Array, aspect: float) -> tuple[Array, float]:
+    """Return centre and radius of the ball to look at, so that the picture is filled.
+
+    Parameters
+    ----------
+    overlay
+        what is drawn.
+    axes
+        right, up and towards the eye, as rows.
+    aspect
+        width over height of the picture.
+    """
+    points = [stroke.points for stroke in overlay.strokes]
+    points += [sheet.points.reshape(-1, 3) for sheet in overlay.sheets]
+    points += [dot.point[None] for dot in overlay.dots]
+    box = np.concatenate(points) @ axes.T
+    low, high = np.nanmin(box, axis=0), np.nanmax(box, axis=0)
+    half = 0.5 * (high - low)
+    centre: Array = 0.5 * (low + high) @ axes
+    return centre, ROOM * float(max(half[1], half[0] / aspect))
 
 
 def _farthest(pair: Pair) -> float:
@@ -283,10 +348,9 @@ def words(pair: Pair) -> str:
 
 def lines_html(pair: Pair) -> str:
     """Return directions, moments and foot points of both lines as a table."""
-    colours = (getattr(LIGHT, COLOURS[name]) for name in "ab")
     head = "".join(
-        f'<th scope="col"><span style="color:{colour}">■</span> line {name}</th>'
-        for colour, name in zip(colours, "AB", strict=True)
+        f'<th scope="col"><span class="ruledlab-hue is-{colour}">■</span> line {name.upper()}</th>'
+        for name, colour in COLOURS.items()
     )
     cell = '<td style="font-weight:400;text-align:right">'
     rows = "".join(

@@ -1,0 +1,150 @@
+"""Where the camera stands, and what a line of sight meets first."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final
+
+import numpy as np
+
+from ruledlab.geometry.checks import Array
+from ruledlab.lab.scene import Scene
+from ruledlab.lab.textures import centre_of, ends_of, finite, radius_of
+
+__all__ = [
+    "away",
+    "azimuth_for",
+    "distance_to_see",
+    "first_hit",
+    "line_of_sight",
+    "looking",
+    "outline",
+    "turned",
+]
+
+FIELD_OF_VIEW: Final = 34.0  # degrees
+AZIMUTH: Final = math.radians(-58.0)
+ELEVATION: Final = math.radians(24.0)
+ASIDE: Final = math.radians(50.0)  # between the camera and the rulings' mean direction, from above
+CLEARLY: Final = 1.05
+LEVEL: Final = 0.2  # a mean direction with a smaller horizontal part says nothing about the azimuth
+OUTLYING: Final = 1.8  # radii of a scene within which all ends of rulings are brought into sight
+MARGIN: Final = 1.04
+
+
+def looking(away: Array) -> tuple[float, ...]:
+    """Quaternion of a camera that stands in the direction ``away`` and looks back, z upwards."""
+    z = away / np.linalg.norm(away)
+    x = np.cross((0.0, 0.0, 1.0), z)
+    x /= np.linalg.norm(x)
+    y = np.cross(z, x)
+    # four times the squares of the components; the largest is the safe one to divide by
+    squares = np.array(
+        [
+            1 + x[0] - y[1] - z[2],
+            1 - x[0] + y[1] - z[2],
+            1 - x[0] - y[1] + z[2],
+            1 + x[0] + y[1] + z[2],
+        ]
+    )
+    products = np.array(
+        [
+            [squares[0], x[1] + y[0], z[0] + x[2], y[2] - z[1]],
+            [x[1] + y[0], squares[1], y[2] + z[1], z[0] - x[2]],
+            [z[0] + x[2], y[2] + z[1], squares[2], x[1] - y[0]],
+            [y[2] - z[1], z[0] - x[2], x[1] - y[0], squares[3]],
+        ]
+    )
+    row = products[int(np.argmax(squares))]
+    return tuple(float(q) for q in row / np.linalg.norm(row))
+
+
+def away(azimuth: float = AZIMUTH) -> Array:
+    """Return the direction from what is looked at to the camera."""
+    flat = math.cos(ELEVATION)
+    return np.array([flat * math.cos(azimuth), flat * math.sin(azimuth), math.sin(ELEVATION)])
+
+
+def azimuth_for(scene: Scene) -> float:
+    """Choose the side to look from: the rulings across the picture, their image before the sphere.
+
+    Two sides see the mean direction under the same angle: the one nearer the usual side is taken,
+    unless the other sees clearly more of the surface. Without a mean direction, or with one near
+    the axis, it is the usual side.
+    """
+    good = finite(scene.direction, scene.base_rate)
+    mean = scene.direction[good].sum(axis=0) / max(good.sum(), 1)
+    if math.hypot(mean[0], mean[1]) < LEVEL:
+        return AZIMUTH
+    facing = math.atan2(mean[1], mean[0])
+    with np.errstate(over="ignore", invalid="ignore"):
+        normals = np.cross(scene.base_rate[good], scene.direction[good])
+        normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+        sides = sorted((facing - ASIDE, facing + ASIDE), key=lambda a: -math.cos(a - AZIMUTH))
+        seen = [float(np.abs(normals @ away(side)).sum()) for side in sides]
+    return sides[int(seen[1] > CLEARLY * seen[0])]
+
+
+def outline(scene: Scene) -> Array:
+    """Return the ends of the drawn rulings but for those far off, which may be cut."""
+    good = finite(scene.base, scene.direction)
+    ends = [scene.base[good] + end * scene.direction[good] for end in ends_of(scene)]
+    points = np.concatenate(ends)
+    with np.errstate(over="ignore"):
+        distance = np.linalg.norm(points - centre_of(scene), axis=1)
+        return points[distance < OUTLYING * radius_of(scene)]
+
+
+def distance_to_see(points: Array, to: Array, wide: float, high: float) -> float:
+    """Return how far a camera in the direction ``to`` must stand back to see the points.
+
+    ``wide`` and ``high`` are the tangents of half the angles of sight.
+    """
+    right = np.cross((0.0, 0.0, 1.0), to)
+    right /= np.linalg.norm(right)
+    beside = np.abs(points @ right) / wide
+    above = np.abs(points @ np.cross(to, right)) / high
+    return MARGIN * float(np.max(np.maximum(beside, above) + points @ to))
+
+
+def turned(quaternion: Array, vector: Array) -> Array:
+    """Turn a vector by a unit quaternion (x, y, z, w)."""
+    axis = quaternion[:3]
+    twist: Array = np.cross(axis, vector) + quaternion[3] * vector
+    return vector + 2.0 * np.cross(axis, twist)
+
+
+def line_of_sight(picked: list[dict[str, Any]]) -> tuple[Array, Array] | None:
+    """Return the eye and the direction of a line of sight from the points it meets."""
+    if len(picked) < 2:
+        return None
+    first, *_, last = sorted(picked, key=lambda hit: hit["distance"])
+    way = np.subtract(last["point"], first["point"])
+    way /= np.linalg.norm(way)
+    return np.array(first["point"]) - first["distance"] * way, way
+
+
+def first_hit(scene: Scene, eye: Array, way: Array) -> tuple[float, float] | None:
+    """Return (t, w) of the place of the surface that is first met, or None.
+
+    The sign of [b − eye, x, way] tells on which side of the line of sight a ruling passes; where
+    it changes from one ruling to the next, the line goes through the surface.
+    """
+    way = way / np.linalg.norm(way)
+    offset = scene.base - eye
+    with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
+        side = np.einsum("ki,i->k", np.cross(offset, scene.direction), way)
+        k = np.flatnonzero((side[:-1] < 0) != (side[1:] < 0))
+        part = (side[k] / (side[k] - side[k + 1]))[:, None]
+        q = offset[k] + part * (offset[k + 1] - offset[k])
+        x = scene.direction[k] + part * (scene.direction[k + 1] - scene.direction[k])
+        across = x - (x @ way)[:, None] * way
+        w = -np.einsum("ki,ki->k", q, across) / np.einsum("ki,ki->k", across, across)
+        depth = (q + w[:, None] * x) @ way
+        t = scene.t[k] + part[:, 0] * (scene.t[k + 1] - scene.t[k])
+    low, high = ends_of(scene)
+    good = np.flatnonzero((w >= low) & (w <= high) & (depth > 0))
+    if not len(good):
+        return None
+    nearest = good[np.argmin(depth[good])]
+    return float(t[nearest]), float(w[nearest])
