@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import subprocess
 import sys
@@ -16,6 +17,7 @@ from hypothesis import strategies as st
 
 from ruledlab.exercises import store as store_module
 from ruledlab.exercises.store import FILE, Store
+from ruledlab.geometry import GeometryError
 
 GOOD = '{"format": "ruledlab progress", "version": 1, "seed": "", "seed_when": 0, "exercises": {}}'
 DAMAGED = {
@@ -25,7 +27,14 @@ DAMAGED = {
     "binary": "\x00\x01",
     "other JSON": '{"cells": []}',
     "a list": "[1, 2]",
-    "newer": GOOD.replace('"version": 1', '"version": 2'),
+    "older": GOOD.replace('"version": 1', '"version": 0'),
+    "no version": GOOD.replace('"version": 1, ', ""),
+    "hints in words": GOOD.replace("{}", '{"06.1": {"when": 1, "hints": "two"}}'),
+    "no number of tries": GOOD.replace("{}", '{"06.1": {"when": 1, "tries": null}}'),
+    "a number for a word": GOOD.replace("{}", '{"06.1": {"when": 1, "slip": 2}}'),
+    "a word for yes": GOOD.replace("{}", '{"06.1": {"when": 1, "right": "yes"}}'),
+    "a time that never comes": GOOD.replace("{}", '{"06.1": {"when": 1e300}}'),
+    "a time that is none": GOOD.replace("{}", '{"06.1": {"when": NaN}}'),
     "bad record": GOOD.replace("{}", '{"06.1": 3}'),
     "record without time": GOOD.replace("{}", '{"06.1": {"answer": 1}}'),
     "deep": "[" * 100_000,
@@ -157,6 +166,39 @@ def test_any_bytes_are_kept_somewhere(
     assert content(path)["06.1"]["answer"] == "1"
 
 
+def test_a_file_of_a_newer_version_is_set_aside_as_such(path: Path) -> None:
+    newer = GOOD.replace('"version": 1', '"version": 2')
+    path.write_text(newer, encoding="utf-8")
+    store = Store(path)
+    store.update("06.1", answer="1")
+    assert path.with_name("ruledlab-progress.newer-1.json").read_text(encoding="utf-8") == newer
+    assert "newer version of ruledlab" in store.note
+    assert "damaged" not in store.note
+
+
+def test_a_huge_file_is_set_aside_unread(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(store_module, "LARGEST", 1000)
+    path.write_text(GOOD + " " * 1000, encoding="utf-8")
+    store = Store(path)
+    store.update("06.1", answer="1")
+    assert path.with_name("ruledlab-progress.damaged-1.json").stat().st_size > 1000
+    assert content(path)["06.1"]["answer"] == "1"
+
+
+def test_what_was_set_aside_is_said_even_if_nothing_can_be_written(
+    path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path.write_text("damage", encoding="utf-8")
+    monkeypatch.setattr(store_module.os, "fsync", no_space)
+    store = Store(path)
+    assert "set aside" in store.note
+    assert "no space left" in store.note
+    monkeypatch.undo()
+    store.update("06.1", answer="1")
+    assert "set aside" in store.note
+    assert "no space left" not in store.note
+
+
 # -- two at once -----------------------------------------------------------------------------------
 
 
@@ -190,6 +232,57 @@ def test_a_clock_that_stands_still_does_not_lose_the_second_answer(
     assert Store(path).record("06.1")["answer"] == "c"
 
 
+def test_a_clock_that_is_put_back_does_not_lose_the_later_answer(
+    path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    one, two = Store(path), Store(path)
+    monkeypatch.setattr(store_module.time, "time", lambda: 2e9)
+    one.update("06.1", answer="with the clock ahead")
+    one.set_seed("ahead")
+    monkeypatch.setattr(store_module.time, "time", lambda: 1e9)
+    two.update("06.1", answer="later")  # it has not read the file since
+    two.set_seed("later")
+    again = Store(path)
+    assert again.record("06.1")["answer"] == "later"
+    assert again.seed == "later"
+    one.refresh()
+    assert one.record("06.1")["answer"] == "later"
+    assert one.seed == "later"
+
+
+def test_a_change_sees_what_other_notebooks_have_written(path: Path) -> None:
+    one, two = Store(path), Store(path)
+    for store in (one, two, one, two):
+        store.change("06.1", lambda old: {"tries": old.get("tries", 0) + 1})
+    assert content(path)["06.1"]["tries"] == 4
+
+
+def test_what_json_cannot_hold_changes_nothing(path: Path) -> None:
+    store = Store(path)
+    store.update("06.1", answer="old")
+    for answer in (object(), {1, 2}, math.nan, 10**5000):
+        with pytest.raises((TypeError, ValueError)):
+            store.update("06.1", answer=answer)
+    store.update("06.2", answer="new")
+    assert content(path)["06.1"]["answer"] == "old"
+    assert set(content(path)) == {"06.1", "06.2"}
+
+
+@pytest.mark.parametrize("seed", ["Ada", "Σ κ̄", "\ud800", "a\nb", 7, "x" * 200])
+def test_any_seed_comes_back(path: Path, seed: object) -> None:
+    Store(path).set_seed(seed)
+    again = Store(path)
+    assert again.seed == " ".join(str(seed).split())
+    assert again.note == ""
+
+
+def test_a_seed_that_is_too_long_is_refused(path: Path) -> None:
+    store = Store(path)
+    with pytest.raises(GeometryError, match="at most 200 characters; got 201"):
+        store.set_seed("x" * 201)
+    assert store.seed == ""
+
+
 def test_writers_in_many_processes_and_threads(path: Path) -> None:
     code = (
         "import sys; from ruledlab.exercises.store import Store\n"
@@ -214,6 +307,48 @@ def test_writers_in_many_processes_and_threads(path: Path) -> None:
 
 
 # -- where one cannot write ------------------------------------------------------------------------
+
+
+def no_space(*_: object) -> None:
+    raise OSError(28, "No space left on device")
+
+
+@pytest.mark.parametrize("step", ["fsync", "replace"])
+def test_a_full_disk_leaves_the_old_file_and_no_rubbish(
+    path: Path, step: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    store = Store(path)
+    store.update("06.1", answer="old")
+    before = path.read_bytes()
+    monkeypatch.setattr(store_module.os, step, no_space)
+    store.update("06.1", answer="new")
+    assert "no space left" in store.note
+    assert store.record("06.1")["answer"] == "new"
+    monkeypatch.undo()
+    assert path.read_bytes() == before
+    assert names(path) == [FILE]
+
+
+def test_a_folder_that_is_read_only_is_read_and_left_alone(
+    path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    Store(path).update("06.1", answer="old")
+    before = path.read_bytes()
+    opened = Path.open
+
+    def refused(self: Path, mode: str = "r", *more: object, **named: object) -> object:
+        if "a" in mode or "w" in mode:
+            raise PermissionError(13, "Permission denied", str(self))
+        return opened(self, mode, *more, **named)  # type: ignore[call-overload]
+
+    monkeypatch.setattr(Path, "open", refused)
+    store = Store(path)
+    assert store.record("06.1")["answer"] == "old"
+    assert store.note == ""
+    store.update("06.1", answer="new")
+    assert "permission denied" in store.note
+    assert store.record("06.1")["answer"] == "new"
+    assert path.read_bytes() == before
 
 
 @pytest.fixture

@@ -253,6 +253,58 @@ def test_another_seed_gives_other_values_and_begins_anew(store: Store) -> None:
     card.close()
 
 
+UNFIT = {
+    "choose": 99,
+    "number": "banana",
+    "formula": {"a": 1},
+    "drag": "banana",
+    "sketch": ["a"] * 65,
+    "code": [[1, 2], [3]],
+    "slip": {"line": [], "then": 5},
+}
+
+
+@ALL
+def test_an_answer_that_does_not_fit_is_passed_over(made: Exercise, store: Store) -> None:
+    store.update(made.key, answer=UNFIT[made.task().kind], right=True, seed="", hints=99)
+    card = exercise(made.key, store=store)
+    text = shown(card)
+    assert "✓ done" in text
+    assert "banana" not in text
+    assert "alert" not in text
+    assert card._more.description == "No more hints"
+    assert all(getattr(front, "sketch", []) == [] for front in fronts(card))
+    assert card._group.defect.value == ""
+    card.close()
+
+
+def test_two_open_notebooks_do_not_undo_each_other(store: Store) -> None:
+    other = Store(store.path)
+    here, there = exercise("06.3", store=store), exercise("06.3", store=other)
+    here._more.click()
+    here._more.click()
+    play(here, here.task.right_answer())
+    there._more.click()  # it has not read the file since
+    there._solve.click()
+    record = Store(store.path).record("06.3")
+    assert (record["hints"], record["right"], record["solution"]) == (3, True, False)
+    assert "✓ done with 3 hints" in shown(there)
+    here.close()
+    there.close()
+
+
+def test_a_field_shows_what_an_answer_looks_like(store: Store) -> None:
+    for key, example in (
+        ("06.3", "such as 2.5 or 3π/8"),
+        ("06.4", "[…, …, …]"),
+        ("06.6", "a formula in t"),
+        ("06.7", "a formula in u and v"),
+    ):
+        card = exercise(key, store=store)
+        assert fronts(card)[0].example == example
+        card.close()
+
+
 def test_a_note_of_the_store_is_shown(tmp_path: Path) -> None:
     (tmp_path / "p.json").write_text("damaged")
     card = exercise("06.1", store=Store(tmp_path / "p.json"))

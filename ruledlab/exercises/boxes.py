@@ -11,6 +11,7 @@ from typing import Any, Final
 
 import anywidget
 import ipywidgets as w
+import numpy as np
 import traitlets
 
 from ..design import Design
@@ -57,6 +58,7 @@ class _Front(anywidget.AnyWidget):
     label = traitlets.Unicode("").tag(sync=True)
     button = traitlets.Unicode("Check").tag(sync=True)
     unit = traitlets.Unicode("").tag(sync=True)
+    example = traitlets.Unicode("").tag(sync=True)
     chosen = traitlets.Int(-1).tag(sync=True)
     text = traitlets.Unicode("").tag(sync=True)
     plot: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)
@@ -178,9 +180,11 @@ class ChooseBox(Box):
 class FieldBox(Box):
     """A field for a number, an array or a formula; Enter checks."""
 
-    def __init__(self, group: Group, submit: Submit, label: str, unit: str = "") -> None:
+    def __init__(
+        self, group: Group, submit: Submit, label: str, unit: str = "", example: str = ""
+    ) -> None:
         super().__init__(group, submit)
-        self.front = _Front(part="field", label=label, unit=unit)
+        self.front = _Front(part="field", label=label, unit=unit, example=example)
         self.listen(self.front, self._said)
         self.widget.children = [self.front]
 
@@ -315,6 +319,7 @@ class DragBox(Box):
         self._conditions = maths("", "ruledlab-conditions")
         self._parts: list[Any] = [] if self._given else self._own_parts()
         self.widget.children = [self._conditions, *(part for part, _ in self._parts)]
+        self.widget.add_class("ruledlab-drag")
         self._quiet = True  # opening it is no answer
         self._update(Change(scene=True))
         self._quiet = False
@@ -445,6 +450,14 @@ def _nearness(condition: Condition) -> float:
     return 1.0 / (1.0 + max(0.0, condition.off / condition.within - 1.0) / 8.0)
 
 
+def _pattern(answer: Any) -> str:
+    """Return what an answer looks like, for an empty field."""
+    shape = np.shape(answer)
+    if not shape:
+        return "such as 2.5 or 3π/8"
+    return "[" + ", ".join(["…"] * shape[0]) + "]" if len(shape) == 1 else ""
+
+
 def box_for(
     task: Task, group: Group, submit: Submit, key: str, say: Submit, lab: Lab | None
 ) -> Box:
@@ -456,9 +469,12 @@ def box_for(
         case Code():
             return CodeBox(group, submit, task, key)
         case Number():
-            return FieldBox(group, submit, task.label or "your answer", task.unit)
+            label = task.label or "your answer"
+            return FieldBox(group, submit, label, task.unit, _pattern(task.answer))
         case Formula():
-            return FieldBox(group, submit, task.label or "your formula")
+            letters = " and ".join(task.variables)
+            label = task.label or "your formula"
+            return FieldBox(group, submit, label, example=f"a formula in {letters}")
         case Drag():
             return DragBox(group, submit, task, say, lab)
         case Sketch():

@@ -4,19 +4,33 @@ from __future__ import annotations
 
 import html
 import json
+import math
 import pathlib
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
 
-from ..design import Design
+from ..geometry.checks import GeometryError
 from .answers import read_numbers
-from .core import UNREAD, Task, Verdict, find
+from .core import UNREAD, Choose, Drag, FindSlip, Formula, Sketch, Task, Verdict, find
+from .kinds.choose import whole
+from .kinds.drag import design_of
 from .store import Store, the_store
 
-__all__ = ["HEADS", "STYLE", "Checked", "check", "keep", "kept", "seed", "verdict_html"]
+__all__ = [
+    "HEADS",
+    "STYLE",
+    "Checked",
+    "begin_or_go_on",
+    "check",
+    "keep",
+    "kept",
+    "seed",
+    "verdict_html",
+]
 
 _STATIC: Final = pathlib.Path(__file__).parent / "static"
 STYLE: Final = (_STATIC / "verdict.css").read_text(encoding="utf-8")
@@ -92,38 +106,65 @@ def keep(store: Store, key: str, task: Task, answer: Any, verdict: Verdict) -> N
     """Keep an answer that could be read; who was right once stays right."""
     if verdict.state == UNREAD:
         return
-    old = store.record(key)
-    if old.get("seed") != store.seed:  # other values: begin anew
-        old = {}
-    store.update(
-        key,
-        answer=kept(task, answer),
-        right=verdict.right or bool(old.get("right")),
-        tries=int(old.get("tries", 0)) + 1,
-        hints=int(old.get("hints", 0)),
-        solution=bool(old.get("solution")),
-        slip=verdict.slip,
-        seed=store.seed,
-    )
+    answer = kept(task, answer)
+
+    def entries(old: Mapping[str, Any]) -> dict[str, Any]:
+        begun = begin_or_go_on(old, store.seed)
+        return {
+            **begun,
+            "answer": answer,
+            "right": verdict.right or begun["right"],
+            "tries": begun["tries"] + 1,
+            "slip": verdict.slip,
+        }
+
+    store.change(key, entries)
+
+
+def begin_or_go_on(record: Mapping[str, Any], seed: str) -> dict[str, Any]:
+    """Return what is known of an exercise; nothing yet if it had other values."""
+    blank = {"answer": None, "right": False, "tries": 0, "hints": 0, "solution": False}
+    return {**blank, **(record if record.get("seed") == seed else {}), "seed": seed}
 
 
 def kept(task: Task, answer: Any) -> Any:
     """Return an answer as JSON can hold it and the task can judge it again."""
-    if task.kind == "drag":
-        design = getattr(answer, "design", answer)
-        return design.to_text() if isinstance(design, Design) else str(answer)
-    if isinstance(answer, (str, int)) or task.kind in ("choose", "slip"):
+    match task:
+        case Drag():
+            return design_of(answer).to_text()
+        case FindSlip():
+            return _kept_parts(task, answer)
+        case Choose():
+            return whole(answer)
+        case Sketch():
+            heights = np.array(answer, dtype=float)
+            return [round(float(y), 6) if abs(y) < math.inf else None for y in heights]
+        case Formula():
+            return _kept_formula(answer)
+    return _kept_value(answer)
+
+
+def _kept_parts(task: FindSlip, answer: Any) -> dict[str, Any]:
+    parts = answer if isinstance(answer, dict) else {"line": answer}
+    then = {"then": kept(task.then, parts["then"])} if "then" in parts else {}
+    return {"line": whole(parts.get("line")), **then}
+
+
+def _kept_formula(answer: Any) -> str:
+    """Return a formula's text; a Python function has none."""
+    if isinstance(answer, str):
         return answer
-    if task.kind == "sketch":
-        return [None if not np.isfinite(y) else round(float(y), 6) for y in _floats(answer)]
+    text = getattr(answer, "text", None) if callable(answer) else str(answer)
+    return text if isinstance(text, str) else ""
+
+
+def _kept_value(answer: Any) -> str:
+    if isinstance(answer, str):
+        return answer
     try:
         return json.dumps(read_numbers(answer, (0,)).tolist())
-    except ValueError:
-        return getattr(answer, "text", None) or repr(answer)[:200]
-
-
-def _floats(answer: Any) -> Any:
-    return np.array(answer, dtype=float)
+    except GeometryError:  # a value that only its exercise can read
+        return repr(answer)[:200]
 
 
 def verdict_html(verdict: Verdict, lead: str = "") -> str:

@@ -132,8 +132,10 @@ def _sign(t: Array, sketch: Array, truth: Array, height: float) -> Trait:
         return Trait("sign", flat, "the curve is zero all along" + ("" if flat else "; not yours"))
     if wrong.mean() <= (1 - AGREE) * clear.mean():
         return Trait("sign", True, "above and below zero where the curve is")
-    if (same & clear).mean() <= 0.1 * clear.mean():
+    if (clear & (np.sign(sketch) == -np.sign(truth))).mean() >= 0.9 * clear.mean():
         return Trait("sign", False, "yours has the opposite sign everywhere")
+    if not sketch.any():
+        return Trait("sign", False, "yours is zero all along; the curve is not")
     return Trait("sign", False, f"the other sign than the curve around {_span(t[wrong])}")
 
 

@@ -1,9 +1,10 @@
 """What a student has answered, kept in one JSON file beside the lessons.
 
-Every write reads the file first and merges: of each exercise the newer entry wins, so two notebooks
-that are open at once do not lose each other's answers. The file is replaced whole, by a rename
-inside its directory, so a crash leaves the old one or the new one. A file that cannot be read is
-set aside under another name, never overwritten.
+Every write reads the file first and merges: of each exercise the newer entry wins, and a change is
+made to what the merge gave, so two notebooks that are open at once do not lose each other's answers
+and a clock that is put back loses none. The file is replaced whole, by a rename inside its
+directory, so a crash leaves the old one or the new one. A file that cannot be read is set aside
+under another name, never overwritten.
 """
 
 from __future__ import annotations
@@ -19,6 +20,8 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import IO, Any
 
+from ..geometry.checks import GeometryError
+
 __all__ = ["FILE", "Store", "the_store"]
 
 FILE = "ruledlab-progress.json"
@@ -28,12 +31,26 @@ LARGEST = 20_000_000
 PATIENCE = 5.0
 """Seconds to wait while another notebook writes."""
 
+LONGEST_SEED = 200
+LAST_TIME = 1e11
+"""Seconds since 1970 that no clock shows; a later time in a file is no time."""
+
 Record = dict[str, Any]
 Disconnect = Callable[[], None]
 
 
 class _Damaged(Exception):
     """The file is there, but it is not a progress file."""
+
+    mark = "damaged"
+    what = "was damaged or not ruledlab's"
+
+
+class _Newer(_Damaged):
+    """The file is a progress file of a version that is not known here."""
+
+    mark = "newer"
+    what = "was written by a newer version of ruledlab"
 
 
 class Store:
@@ -43,21 +60,21 @@ class Store:
     ----------
     path
         the file; it is made with the first answer.
-
-    Attributes
-    ----------
-    note
-        what the reader should know about the file: set aside, not writable; usually empty.
     """
 
     def __init__(self, path: str | os.PathLike[str] = FILE) -> None:
         self.path = Path(path).absolute()
-        self.note = ""
+        self._aside = self._trouble = ""
         self._mutex = threading.RLock()
         self._records: dict[str, Record] = {}
         self._seed: tuple[str, float] = ("", 0.0)
         self._followers: list[Callable[[str], None]] = []
         self.refresh()
+
+    @property
+    def note(self) -> str:
+        """What the reader should know about the file: set aside, not writable; usually empty."""
+        return " ".join(filter(None, (self._aside, self._trouble)))
 
     # -- reading ---------------------------------------------------------------------------------
 
@@ -97,27 +114,62 @@ class Store:
             try:
                 self._merge(self._read())
             except _Damaged:
-                self._write()  # it sets the file aside, under the lock
+                self._write(lambda: None)  # it sets the file aside, under the lock
             except OSError as error:
-                self._say(f"The file {self.path.name} cannot be read ({_reason(error)}).")
+                self._trouble = f"The file {self.path.name} cannot be read ({_reason(error)})."
 
     # -- writing ---------------------------------------------------------------------------------
 
     def update(self, key: str, **entries: Any) -> Record:
         """Change entries of an exercise's record, save, and return the record."""
-        with self._mutex:
+        return self.change(key, lambda old: entries)
+
+    def change(self, key: str, entries: Callable[[Record], Mapping[str, Any]]) -> Record:
+        """Change entries that depend on those there are, save, and return the record.
+
+        Parameters
+        ----------
+        key
+            the exercise.
+        entries
+            given a copy of the record, other notebooks' changes included, the new entries.
+
+        Raises
+        ------
+        TypeError, ValueError
+            if JSON cannot hold them; then nothing is changed.
+        """
+
+        def put() -> None:
             old = self._records.get(key, {})
-            when = max(time.time(), _when(old) + 1e-6)
-            self._records[key] = {**old, **entries, "when": when}
-            self._write()
+            new = {**old, **entries(dict(old)), "when": _after(_when(old))}
+            self._records[key] = json.loads(json.dumps(new, allow_nan=False))
+
+        with self._mutex:
+            self._write(put)
         self._tell(key)
         return self.record(key)
 
     def set_seed(self, seed: object) -> None:
-        """Set the student's seed: a name or a number."""
+        """Set the student's seed: a name or a number.
+
+        Raises
+        ------
+        GeometryError
+            if it is too long to be one.
+        """
+        text = " ".join(str(seed).split())
+        if len(text) > LONGEST_SEED:
+            raise GeometryError(
+                f"`seed` must be a name or a number of at most {LONGEST_SEED} characters; "
+                f"got {len(text)}"
+            )
+
+        def put() -> None:
+            self._seed = (text, _after(self._seed[1]))
+
         with self._mutex:
-            self._seed = (str(seed).strip(), max(time.time(), self._seed[1] + 1e-6))
-            self._write()
+            self._write(put)
         self._tell("")
 
     # -- inside ----------------------------------------------------------------------------------
@@ -125,9 +177,6 @@ class Store:
     def _tell(self, key: str) -> None:
         for callback in tuple(self._followers):
             callback(key)
-
-    def _say(self, note: str) -> None:
-        self.note = note
 
     def _merge(self, content: Mapping[str, Any]) -> None:
         """Take over what is newer in the file."""
@@ -146,36 +195,43 @@ class Store:
         except FileNotFoundError:
             return {}
         content: dict[str, Any] = _parsed(data)
+        if _is_newer(content):
+            raise _Newer
         if not _is_ours(content):
             raise _Damaged
         return content
 
-    def _write(self) -> None:
-        """Merge with the file and replace it; on failure say so and keep everything in memory."""
+    def _write(self, change: Callable[[], None]) -> None:
+        """Merge with the file, change what is known and replace the file.
+
+        On failure it is said, and everything is kept in memory.
+        """
+        changed = False
         try:
             with _lock(self.path.with_name(f".{self.path.name}.lock")):
-                aside = self._merge_or_set_aside()
+                self._merge_or_set_aside()
+                change()
+                changed = True
                 self._replace(self._content())
         except OSError as error:
-            self._say(
+            if not changed:
+                change()
+            self._trouble = (
                 f"Your answers are not saved: {self.path} cannot be written ({_reason(error)}). "
                 "They last as long as this kernel."
             )
-            return
-        if aside:
-            self._say(
-                f"The file {self.path.name} was damaged or not ruledlab's. It was set aside as "
-                f"{aside} and a new one was begun."
-            )
-        elif "not saved" in self.note or "cannot be read" in self.note:
-            self._say("")
+        else:
+            self._trouble = ""
 
-    def _merge_or_set_aside(self) -> str:
+    def _merge_or_set_aside(self) -> None:
         try:
             self._merge(self._read())
-        except _Damaged:
-            return _set_aside(self.path)
-        return ""
+        except _Damaged as found:
+            aside = _set_aside(self.path, found.mark)
+            self._aside = (
+                f"The file {self.path.name} {found.what}. It was set aside as {aside} and a new "
+                "one was begun."
+            )
 
     def _content(self) -> str:
         seed, when = self._seed
@@ -188,7 +244,8 @@ class Store:
         target = self.path.resolve()  # a link stays a link
         handle, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
         try:
-            with os.fdopen(handle, "w", encoding="utf-8") as file:
+            # half a surrogate pair, which UTF-8 cannot hold, becomes JSON's escape
+            with os.fdopen(handle, "w", encoding="utf-8", errors="backslashreplace") as file:
                 file.write(text + "\n")
                 file.flush()
                 os.fsync(file.fileno())
@@ -204,6 +261,11 @@ def _when(record: Mapping[str, Any]) -> float:
     return float(record.get("when", 0.0))
 
 
+def _after(when: float) -> float:
+    """Return the time; or if the clock was put back, just after what was written last."""
+    return max(time.time(), math.nextafter(when, math.inf))
+
+
 def _reason(error: OSError) -> str:
     return (error.strerror or str(error)).lower()
 
@@ -217,6 +279,11 @@ def _parsed(data: bytes) -> Any:
         raise _Damaged from None
 
 
+def _is_newer(content: Any) -> bool:
+    version = content.get("version") if isinstance(content, dict) else None
+    return isinstance(version, int) and version > VERSION and content.get("format") == FORMAT
+
+
 def _is_ours(content: Any) -> bool:
     """Whether every entry has the type it must have; a file that is half right is damaged."""
     if not isinstance(content, dict) or content.get("format") != FORMAT:
@@ -227,18 +294,29 @@ def _is_ours(content: Any) -> bool:
         and isinstance(content.get("seed"), str)
         and _is_time(content.get("seed_when"))
         and isinstance(exercises, dict)
-        and all(isinstance(r, dict) and _is_time(r.get("when")) for r in exercises.values())
+        and all(map(_is_record, exercises.values()))
+    )
+
+
+def _is_record(record: Any) -> bool:
+    """Whether the entries that are counted and compared have their types; answers may be any."""
+    return (
+        isinstance(record, dict)
+        and _is_time(record.get("when"))
+        and all(type(record.get(name, 0)) is int for name in ("hints", "tries"))
+        and all(type(record.get(name, True)) is bool for name in ("right", "solution"))
+        and all(type(record.get(name, "")) is str for name in ("seed", "slip"))
     )
 
 
 def _is_time(value: Any) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    return type(value) in (int, float) and 0 <= value < LAST_TIME
 
 
-def _set_aside(path: Path) -> str:
+def _set_aside(path: Path, mark: str) -> str:
     """Rename the file to the first free ``….damaged-n.json`` and return that name."""
     count = 1
-    while (free := path.with_name(f"{path.stem}.damaged-{count}{path.suffix}")).exists():
+    while os.path.lexists(free := path.with_name(f"{path.stem}.{mark}-{count}{path.suffix}")):
         count += 1
     path.rename(free)
     return free.name

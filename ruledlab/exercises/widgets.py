@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, Final
+from typing import Any
 
 import ipywidgets as w
 
@@ -15,14 +15,10 @@ from ..lab.state import Lab
 from .answers import is_open
 from .boxes import ChooseBox, DragBox, box_for, close_all, maths, press, show, style
 from .core import UNREAD, Exercise, Sketch, Verdict, find, lesson, lessons
-from .record import keep, verdict_html
+from .record import begin_or_go_on, keep, verdict_html
 from .store import Store, the_store
 
 __all__ = ["Card", "Lesson", "Predict", "exercise", "exercises", "predict", "progress"]
-
-BLANK: Final = {"answer": None, "right": False, "tries": 0, "hints": 0, "solution": False}
-"""What is known of an exercise that is begun."""
-
 
 # -- the public functions --------------------------------------------------------------------------
 
@@ -153,8 +149,10 @@ class Card(w.VBox):  # type: ignore[misc]
         answer = self._record().get("answer")
         if is_open(answer):
             return
-        self.box.show(answer)
         verdict = self.task.judge(answer)
+        if verdict.state == UNREAD:  # of another version of the exercise, or the file was edited
+            return
+        self.box.show(answer)
         working = isinstance(self.box, DragBox) and not verdict.right and not verdict.slip
         self._say(None if working else verdict)  # the conditions say how far off a design is
 
@@ -169,8 +167,8 @@ class Card(w.VBox):  # type: ignore[misc]
         self._refresh()
 
     def _hint(self) -> None:
-        used = min(self._record().get("hints", 0) + 1, len(self.task.hints))
-        self._put(hints=used)
+        most = len(self.task.hints)
+        self._put(lambda known: {"hints": min(known["hints"] + 1, most)})
 
     def _solution(self) -> None:
         self._open = not self._open
@@ -178,19 +176,23 @@ class Card(w.VBox):  # type: ignore[misc]
             self.box.reveal()
         record = self._record()
         if not record.get("right") and not record.get("solution"):
-            self._put(solution=True)
+            self._put(lambda known: {"solution": not known["right"] or known["solution"]})
         self._refresh()
 
-    def _put(self, **entries: Any) -> None:
-        """Change the record; an entry with other values is begun anew."""
-        begun = {} if self._record() else BLANK
-        self._store.update(self.exercise.key, **{**begun, "seed": self._seed, **entries})
+    def _put(self, entries: Callable[[dict[str, Any]], dict[str, Any]]) -> None:
+        """Change the record, given what is known; one with other values is begun anew."""
+
+        def change(old: dict[str, Any]) -> dict[str, Any]:
+            known = begin_or_go_on(old, self._seed)
+            return {**known, **entries(known)}
+
+        self._store.change(self.exercise.key, change)
         self._refresh()
 
     def _draft(self, design: Design) -> None:
         """Keep a design that is being worked on."""
-        if not self._record().get("right"):
-            self._put(answer=design.to_text())
+        text = design.to_text()
+        self._put(lambda known: {} if known["right"] else {"answer": text})
 
     # -- what is shown ---------------------------------------------------------------------------
 
@@ -219,7 +221,7 @@ class Card(w.VBox):  # type: ignore[misc]
 
     def _refresh(self) -> None:
         record, task = self._record(), self.task
-        used = int(record.get("hints", 0))
+        used = min(int(record.get("hints", 0)), len(task.hints))
         number, title = self.exercise.key, html.escape(self.exercise.title)
         state, words = state_of(record)
         self._head.value = (

@@ -75,6 +75,16 @@ def test_choose(cards: NotebookPage) -> None:
     done(cards, key)
 
 
+def test_answers_are_named_with_their_formulas(cards: NotebookPage) -> None:
+    """A screen reader says a radio button's name: formulas must be in it, and tell them apart."""
+    place = card(cards, KINDS["choose"])
+    place.get_by_role("radio", name="C²: τ passes the seam without a jump", exact=True).wait_for()
+    lines = card(cards, KINDS["slip"]).get_by_role("radio")
+    names = [row.get_attribute("aria-label") or "" for row in lines.all()]
+    assert len(set(names)) == len(names)
+    assert "κ to the 2 = u′ to the 2 sin to the 2 v + v′ to the 2" in names
+
+
 def test_number_with_a_hint(cards: NotebookPage) -> None:
     key = KINDS["number"]
     place = card(cards, key)
@@ -93,6 +103,7 @@ def test_number_with_a_hint(cards: NotebookPage) -> None:
 def test_formula(cards: NotebookPage) -> None:
     key = KINDS["formula"]
     field = card(cards, key).locator(".ruledlab-field input")
+    assert field.get_attribute("placeholder") == "a formula in t"
     answer = asked(cards, f"tasks['{key}'].right_answer()")
     field.fill(f"({answer}) + 1")
     field.press("Enter")
@@ -139,11 +150,16 @@ def draw(page: NotebookPage, place: Locator, parts: list[float]) -> None:
 def test_sketch(cards: NotebookPage) -> None:
     key = KINDS["sketch"]
     place = card(cards, key)
+    place.get_by_role("button", name="Show the solution").click()
+    place.locator(".ruledlab-key.is-true").wait_for()
+    place.get_by_role("button", name="Draw again").click()  # who has seen it may draw all the same
+    place.locator(".ruledlab-key.is-true").wait_for(state="hidden")
+    place.get_by_role("button", name="Hide the solution").click()
     heights = asked(cards, f"[float(y) for y in tasks['{key}'].right_answer()]")
     low, high = asked(cards, f"list(tasks['{key}'].heights)")
     draw(cards, place, [0.9] * 20)
     place.get_by_role("button", name="Compare").click()
-    place.get_by_text("begun").wait_for()
+    place.get_by_text("Not yet.").wait_for()
     place.locator(".ruledlab-key.is-true").wait_for()  # the true curve is shown over it
     place.get_by_role("button", name="Draw again").click()
     place.locator(".ruledlab-sketch.is-empty").wait_for()
@@ -176,3 +192,15 @@ def test_slip(cards: NotebookPage) -> None:
         field.fill(then)
         field.press("Enter")
     done(cards, key)
+
+
+def test_no_card_sticks_out_of_a_narrow_notebook(cards: NotebookPage) -> None:
+    """In a window of 650 pixels without the file browser, every kind of exercise has its room."""
+    cards.command("application:toggle-left-area")
+    cards.resize(650, 900)
+    try:
+        cards.page.wait_for_timeout(500)
+        assert cards.sticks_out() == []
+    finally:
+        cards.resize(1400, 1000)
+        cards.command("application:toggle-left-area")

@@ -48,6 +48,37 @@ function follow(model, names, handler) {
   return () => names.forEach((name) => model.off(`change:${name}`, handler));
 }
 
+// ---- mathematics in words ----------------------------------------------------------------------
+// What a radio button contains is not read but its name, and there formulas are left out: two answers
+// that differ in a formula only would sound the same.
+
+const MARKS = { "¯": "bar", "‾": "bar", "^": "hat", "ˆ": "hat", "˙": "dot", "→": "vector" };
+
+function raised(base, exponent) {
+  const [, primes, power] = exponent.match(/^([′″‴*\s]*)(.*)$/s);
+  return ` ${base}${primes.replace(/\s/g, "")}${power && ` to the ${power}`} `;
+}
+
+function inWords(node) {
+  if (node.nodeType === Node.TEXT_NODE) return node.textContent;
+  if (node.nodeType !== Node.ELEMENT_NODE) return "";
+  if (node.localName === "mjx-container") return ` ${inWords(node.querySelector("math") ?? document.createTextNode(node.textContent))} `;
+  const parts = [...node.childNodes].map(inWords);
+  const [a, b, c] = parts.map((part) => part.trim());
+  switch (node.localName) {
+    case "msub": return ` ${a} sub ${b} `;
+    case "msup": return raised(a, b);
+    case "msubsup": return ` ${a} sub ${b} to the ${c} `;
+    case "mfrac": return ` ${a} over ${b} `;
+    case "msqrt": return ` root of ${parts.join(" ")} `;
+    case "mover": return ` ${a} ${MARKS[b] ?? b} `;
+    case "mi": case "mn": case "mo": return ` ${parts.join("")} `;
+    default: return parts.join("");
+  }
+}
+
+const named = (row) => inWords(row).replace(/[\u2061-\u2064]/g, "").replace(/\s+/g, " ").replace(/ ([.,;:?!)])/g, "$1").trim();
+
 // ---- rows to choose from ---------------------------------------------------------------------
 // The rows are widgets of their own, typeset by the notebook; here they become a radio group.
 
@@ -64,6 +95,8 @@ function renderChoose({ model, el }) {
     );
     rows.forEach((row, i) => {
       if (row.getAttribute("role") !== "radio") row.setAttribute("role", "radio");
+      const name = named(row);
+      if (row.getAttribute("aria-label") !== name) row.setAttribute("aria-label", name);
       const on = String(i === chosen);
       if (row.getAttribute("aria-checked") !== on) row.setAttribute("aria-checked", on);
       const stop = i === (chosen < 0 ? 0 : chosen) ? "0" : "-1";
@@ -142,6 +175,7 @@ function renderField({ model, el }) {
     element("span", "ruledlab-unit", root, { id: `${name}-unit` }, unit);
     input.setAttribute("aria-describedby", `${name}-unit`);
   }
+  input.placeholder = model.get("example");
   const submit = () => model.send({ text: input.value });
   button(model.get("button"), root, submit, "ruledlab-main");
   const keyed = (event) => event.key === "Enter" && !event.isComposing && submit();
@@ -244,7 +278,7 @@ function renderSketch({ model, el }) {
     root.classList.toggle("is-revealed", revealed());
     keyOfTruth.hidden = !revealed();
     compare.disabled = revealed();
-    again.disabled = y.every((value) => value === null);
+    again.disabled = !revealed() && y.every((value) => value === null);
     handles.replaceChildren();
     for (let i = 0; i <= last; i += STRIDE) {
       const here = i === chosen;
