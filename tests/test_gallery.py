@@ -13,6 +13,8 @@ from ruledlab.geometry import gallery
 from ruledlab.geometry.checks import GeometryError
 from ruledlab.geometry.curve import Bezier, seam
 from ruledlab.geometry.field import named_number, number
+from ruledlab.geometry.motion import screw
+from ruledlab.geometry.special import special_rulings
 from ruledlab.geometry.surface import RuledSurface
 
 PI = math.pi
@@ -21,7 +23,9 @@ CLASSICAL = {
     *("cone", "right_helicoid", "oblique_helicoid", "hyperboloid", "plucker_conoid"),
     *("hyperbolic_paraboloid", "tangent_developable", "moebius", "example_1", "example_2"),
 }
-FREE = [entry.key for entry in gallery.GALLERY if entry.key not in CLASSICAL]
+SPECIAL = {"wave_ring", "cusp"}
+"""Made for the special rulings they have."""
+FREE = [entry.key for entry in gallery.GALLERY if entry.key not in CLASSICAL | SPECIAL]
 
 
 def longitudes(surface: RuledSurface) -> np.ndarray:
@@ -66,9 +70,9 @@ def test_free_designs_have_every_value_everywhere(key: str) -> None:
 
 def test_keys_and_titles_are_distinct_and_in_order() -> None:
     assert gallery.names() == tuple(entry.key for entry in gallery.GALLERY)
-    assert len(set(gallery.names())) == len(gallery.GALLERY) == 16
-    assert len({entry.title for entry in gallery.GALLERY}) == 16
-    assert set(gallery.names()) >= CLASSICAL
+    assert len(set(gallery.names())) == len(gallery.GALLERY) == 18
+    assert len({entry.title for entry in gallery.GALLERY}) == 18
+    assert set(gallery.names()) >= CLASSICAL | SPECIAL
     assert len(FREE) == 6
 
 
@@ -204,6 +208,39 @@ def crown(surface: RuledSurface) -> None:
     close_to(surface.angle_of_pitch(), -math.sqrt(2) * PI)
 
 
+def wave_ring(surface: RuledSurface) -> None:
+    wave = 1.2 * np.cos(3 * longitudes(surface))
+    invariants = surface.invariants(T)
+    close_to(invariants.delta, 0.6 + wave)
+    close_to([invariants.kappa, invariants.tau], math.sqrt(2) * PI)
+    close_to(surface.invariants(np.array([1, 2, 4, 5, 7, 8]) / 9).delta, 0.0)
+    found = special_rulings(surface)
+    np.testing.assert_allclose(found.torsal, np.array([1, 2, 4, 5, 7, 8]) / 9, atol=1e-13)
+    assert not found.touching.any()
+    close_to(distance_from_axis(surface), 0.6)
+    now = screw(surface, T)
+    close_to(now.pitch, wave)
+    close_to(now.axis.plucker, [0, 0, 1, 0, 0, 0])
+    close_to(surface.pitch(), 0.6 * math.sqrt(2) * PI)
+    close_to(surface.angle_of_pitch(), -math.sqrt(2) * PI)
+
+
+def cusp(surface: RuledSurface) -> None:
+    colatitude, h = 17 * PI / 24, 1e-5
+    x = surface.line(0.5).direction
+    assert math.acos(x[2]) == pytest.approx(colatitude)
+    back = [*(-x[:2] / math.tan(colatitude)), math.sin(colatitude)]  # up the meridian
+    for t in (0.5 - h, 0.5 + h):  # the path comes and goes along the same way
+        way = surface.line(t).direction - x
+        np.testing.assert_allclose(way / np.linalg.norm(way), back, atol=1e-4)
+    np.testing.assert_allclose(special_rulings(surface).cylindrical, [0.5], atol=1e-9)
+    invariants = surface.invariants([0.5 - h, 0.5, 0.5 + h])
+    np.testing.assert_allclose(invariants.delta[[0, 2]], 0.5, atol=1e-4)
+    assert np.isnan([invariants.delta[1], *surface.striction(0.5), *surface.frame(0.5)[1]]).all()
+    assert np.isfinite(surface.line(0.5).plucker).all()
+    assert np.isfinite(surface.invariants(T[T != 0.5]).delta).all()
+
+
 def tower(surface: RuledSurface) -> None:
     delta = surface.invariants(T).delta
     close_to(delta, 0.6 * math.sqrt(3) + np.cos(5 * longitudes(surface)))
@@ -266,8 +303,8 @@ def ramp(surface: RuledSurface) -> None:
 
 NOTES = [
     *(cone, right_helicoid, oblique_helicoid, hyperboloid, plucker_conoid, hyperbolic_paraboloid),
-    *(tangent_developable, moebius, example_1, example_2, crown, tower, twisted_ring, orchid),
-    *(shell, ramp),
+    *(tangent_developable, moebius, example_1, example_2, crown, wave_ring, tower, twisted_ring),
+    *(orchid, shell, cusp, ramp),
 ]
 
 

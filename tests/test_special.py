@@ -70,6 +70,17 @@ def test_two_zeros_within_one_cell_of_any_sampling():
     only_torsal(special_rulings(with_kappa_bar(*zeros)), zeros, [False, False], 1e-8)
 
 
+def test_three_zeros_within_one_cell_of_any_sampling():
+    zeros = [0.3, 0.3001, 0.3002]
+    only_torsal(special_rulings(with_kappa_bar(*zeros)), zeros, [False] * 3, 1e-7)
+
+
+def test_two_zeros_of_a_small_wave_on_a_tall_conoid():
+    # κ̄ = 0.001 (t − 0.2993)(t − 0.3003): in one cell, with slopes far below the height 1.
+    height = "1 + 0.001*(u**3/3 - 0.5996*u**2/2 + 0.2993*0.3003*u)"
+    only_torsal(special_rulings(conoid(height)), [0.2993, 0.3003], [False] * 2, 1e-8)
+
+
 @pytest.mark.parametrize("place", [0.5, 0.3, 1 / 3, 0.123456789])
 def test_a_double_zero_is_found_and_said_to_touch(place):
     only_torsal(special_rulings(with_kappa_bar(place, place)), [place], [True], 1e-9)
@@ -138,6 +149,41 @@ def test_a_spline_that_rests_on_a_span_is_a_cylinder_there():
     ((start, end),) = found.cylinders
     # From there κ grows with the third power's slope: 0 to rounding a little beyond the knot.
     assert start == 0.0 and end == pytest.approx(0.25, abs=1e-4)
+
+
+class Counted:
+    """A moving line that counts how often it is asked, and at how many places."""
+
+    def __init__(self, moving):
+        self.moving, self.domain, self.calls, self.places = moving, moving.domain, 0, 0
+
+    def jet(self, t, order=2):
+        self.calls, self.places = self.calls + 1, self.places + t.size
+        return self.moving.jet(t, order)
+
+
+@pytest.mark.parametrize("key", gallery.names())
+def test_a_search_asks_seldom(key):
+    """Many places at a time, and no time spent where a derivative is 0 but for rounding."""
+    counted = Counted(gallery.surface(key))
+    special_rulings(counted)
+    assert counted.calls <= 40
+    assert counted.places <= 1500
+
+
+def test_a_constant_and_its_rounding_hide_no_zeros():
+    # κ² = 1 to rounding on the equator: its derivatives have no sign to go by. κ̄ has three zeros.
+    counted = Counted(with_kappa_bar(0.25, 0.5, 0.75))
+    only_torsal(special_rulings(counted), [0.25, 0.5, 0.75], [False] * 3)
+    assert counted.places <= 700
+
+
+def test_far_from_the_origin_the_same_rulings_are_found():
+    # A lift adds to ū, and so to the terms that cancel in κκ̄.
+    near, far = (RuledSurface(EQUATOR, f"{lift} + (u - 0.4)**3/3 - u/100", 0)
+                 for lift in ("0", "1e4"))  # fmt: skip
+    for surface in (near, far):
+        only_torsal(special_rulings(surface), [0.3, 0.5], [False, False], 1e-7)
 
 
 def test_undefined_stretches_report_nothing():

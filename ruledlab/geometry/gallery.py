@@ -173,6 +173,18 @@ GALLERY: tuple[Example, ...] = (
         "This changes neither l = 3π/√2 nor λ = −√2 π.",
     ),
     Example(
+        "wave_ring",
+        "Wave ring",
+        _pi(4, (0, 1), (8, 1)),
+        "0.4*sin(3*u)",
+        "0.6",
+        "C2",
+        "A hyperboloid whose waist rises and falls three times, so steeply that the sense of its "
+        "shear changes: δ = 0.6 + 1.2 cos 3u and κ = τ = √2 π, torsal at t = 1/9, 2/9, 4/9, 5/9, "
+        "7/9 and 8/9. The frame screws about the z-axis with the pitch 1.2 cos 3u. l = 0.6 √2 π "
+        "and λ = −√2 π.",
+    ),
+    Example(
         "tower",
         "Tower of five edges",
         _pi(6, (0, 1), (12, 1)),
@@ -211,6 +223,17 @@ GALLERY: tuple[Example, ...] = (
         "open",
         "Turned about the z-axis and enlarged by e^0.13 for each radian it falls on itself: "
         "δ = 0.276 exp(0.13 u), and σ is constant.",
+    ),
+    Example(
+        "cusp",
+        "Cusp",
+        _pi(6, (0, 2), (4, 5), (0, 5), (4, 2)),
+        "0.4*u",
+        "0.5*v",
+        "open",
+        "The path of x on the sphere has a cusp at t = 1/2: the ruling stops turning, κ = 0, and "
+        "turns back. This one ruling is cylindrical, with neither a frame nor δ nor a striction "
+        "point of its own; from both sides δ tends to 0.5.",
     ),
     Example(
         "ramp",

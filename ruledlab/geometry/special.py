@@ -8,7 +8,8 @@ zero is a zero of the derivative at which the function is 0 too.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -17,7 +18,7 @@ import numpy.typing as npt
 
 from .checks import CYLINDRICAL, Array, frozen
 from .closed import MovingLine
-from .jet import Jet, dot
+from .jet import Jet
 from .quadrature import bracketed_zero
 
 __all__ = ["SpecialRulings", "special_rulings"]
@@ -31,7 +32,14 @@ STRETCH = 8
 TOUCH = 1e-11
 """|κκ̄| below this fraction of the terms it is made of counts as 0 at an extremum."""
 
+ROUNDING = 64 * np.finfo(float).eps
+"""A derivative below this fraction of the terms it is made of has no sign to go by."""
+
+SQUARE, PRODUCT = 0, 1
+"""The two functions: κ² and κκ̄."""
+
 Flags = npt.NDArray[np.bool_]
+Indices = npt.NDArray[np.intp]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -61,12 +69,41 @@ class SpecialRulings:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
+class _Known:
+    """κ² and κκ̄ with three derivatives at places in their order.
+
+    Attributes
+    ----------
+    t
+        (N,) the places.
+    values
+        (2, 4, N) the functions and their derivatives.
+    noise
+        (2, 4, N) what rounding may make of them.
+    zero
+        (2, N) what counts as 0 for the functions themselves.
+    """
+
+    t: Array
+    values: Array
+    noise: Array
+    zero: Array
+
+    def joined(self, other: _Known) -> _Known:
+        """Return all places of both in their order, each of them once."""
+        t, first = np.unique(np.concatenate([self.t, other.t]), return_index=True)
+        parts = [(getattr(self, n), getattr(other, n)) for n in ("values", "noise", "zero")]
+        return _Known(t, *(np.concatenate(pair, axis=-1)[..., first] for pair in parts))
+
+
+@dataclass(frozen=True, eq=False, slots=True)
 class _Zeros:
     places: Array
     touching: Flags
     stretches: Array
 
 
+@np.errstate(all="ignore")
 def special_rulings(moving: MovingLine) -> SpecialRulings:
     """Return the torsal and the cylindrical rulings of one surface.
 
@@ -75,8 +112,8 @@ def special_rulings(moving: MovingLine) -> SpecialRulings:
     order 6 or more counts as a short stretch. Where the line is undefined nothing is reported.
     """
     start, end = moving.domain
-    turning = _zeros(_of(moving, _square), _of(moving, _resting), start, end)
-    twisting = _zeros(_of(moving, _product), _of(moving, _rounding), start, end)
+    known = _refined(moving)
+    turning, twisting = (_zeros(moving, known, kind) for kind in (SQUARE, PRODUCT))
     near = 1e-6 * (end - start)
     free = _apart(twisting.places, turning.places, turning.stretches, near)
     stretches = twisting.stretches
@@ -91,46 +128,6 @@ def special_rulings(moving: MovingLine) -> SpecialRulings:
     )
 
 
-def _of(moving: MovingLine, part: Callable[[Jet], Array]) -> Callable[[Array], Array]:
-    def function(t: Array) -> Array:
-        with np.errstate(all="ignore"):
-            return part(moving.jet(t, 4))
-
-    return function
-
-
-def _derivatives(a: Array, b: Array) -> Array:
-    """Return ⟨a, b⟩ and three derivatives from rows of derivatives, by Leibniz' rule."""
-    return np.stack(
-        [
-            dot(a[0], b[0]),
-            dot(a[1], b[0]) + dot(a[0], b[1]),
-            dot(a[2], b[0]) + 2.0 * dot(a[1], b[1]) + dot(a[0], b[2]),
-            dot(a[3], b[0]) + 3.0 * (dot(a[2], b[1]) + dot(a[1], b[2])) + dot(a[0], b[3]),
-        ]
-    )
-
-
-def _square(jet: Jet) -> Array:
-    x = jet.direction[1:]
-    return _derivatives(x, x)
-
-
-def _product(jet: Jet) -> Array:
-    return _derivatives(jet.direction[1:], jet.moment[1:])
-
-
-def _resting(jet: Jet) -> Array:
-    scale = np.asarray(jet.scale, dtype=np.float64)
-    return np.broadcast_to((CYLINDRICAL * scale) ** 2, jet.rows.shape[3:])
-
-
-def _rounding(jet: Jet) -> Array:
-    lengths = np.linalg.norm(jet.rows[:2], axis=2)
-    kappa = lengths[1, 0]
-    return np.asarray(TOUCH * kappa * (lengths[1, 1] + kappa * lengths[0, 1]))
-
-
 def _apart(t: Array, places: Array, stretches: Array, near: float) -> Flags:
     """Say which t lie neither near one of the places nor in one of the stretches."""
     at_place = (np.abs(t[:, np.newaxis] - places) <= near).any(axis=1)
@@ -139,99 +136,133 @@ def _apart(t: Array, places: Array, stretches: Array, near: float) -> Flags:
     return np.asarray(~(at_place | inside))
 
 
-def _zeros(
-    levels: Callable[[Array], Array], allowed: Callable[[Array], Array], start: float, end: float
-) -> _Zeros:
-    """Return the zeros of a function given with three derivatives.
+# -- κ², κκ̄ and their derivatives ------------------------------------------------------------------
 
-    ``allowed(t)`` is what counts as 0 for the function itself.
+
+def _leibniz(a: Array, both: Array) -> Array:
+    """Return (2, M, N) the derivatives of ⟨a, b⟩ for two b, by Leibniz' rule.
+
+    ``a`` is (M, entries, N), derivative by derivative, and ``both`` is (M, 2, entries, N).
     """
-    grid = np.linspace(start, end, CELLS + 1)
-    close = 1e-12 * (end - start)
-    points = grid
+    products = np.einsum("ikn,jpkn->pijn", a, both)
+    return np.stack(
+        [sum(math.comb(m, i) * products[:, i, m - i] for i in range(m + 1)) for m in range(len(a))],
+        axis=1,
+    )
+
+
+def _values(jet: Jet) -> Array:
+    rates = jet.rows[1:]
+    return _leibniz(rates[:, 0], rates)
+
+
+def _known(moving: MovingLine, t: Array) -> _Known:
+    jet = moving.jet(t, 4)
+    lengths = np.linalg.norm(jet.rows, axis=2, keepdims=True)
+    kappa, moment, rate = lengths[1, 0, 0], lengths[0, 1, 0], lengths[1, 1, 0]
+    resting = np.broadcast_to((CYLINDRICAL * np.asarray(jet.scale)) ** 2, kappa.shape)
+    noise = ROUNDING * _leibniz(lengths[1:, 0], lengths[1:])
+    return _Known(
+        t, _values(jet), noise, np.stack([resting, TOUCH * kappa * (rate + kappa * moment)])
+    )
+
+
+# -- where a derivative is zero --------------------------------------------------------------------
+
+
+def _refined(moving: MovingLine) -> _Known:
+    """Return the grid together with the zeros of the second, then of the first derivatives."""
+    start, end = moving.domain
+    known = _known(moving, np.linspace(start, end, CELLS + 1))
     for level in (2, 1):
-        points = np.union1d(grid, _crossings(levels, level, points, close))
-    values = levels(points)[0]
-    points, values = points[np.isfinite(values)], values[np.isfinite(values)]
-    signs = np.where(np.abs(values) <= allowed(points), 0.0, np.sign(values))
-    return _collected(levels, allowed, points, signs, STRETCH * (end - start) / CELLS)
+        values = known.values[:, level]
+        signs = np.where(np.abs(values) <= known.noise[:, level], 0.0, np.sign(values))
+        kinds, left = np.nonzero(signs[:, :-1] * signs[:, 1:] < 0.0)
+        if left.size:
+            ends = known.t[left], known.t[left + 1]
+            places = _bracketed(moving, kinds, level, *ends, 1e-12 * (end - start))
+            known = known.joined(_known(moving, places))
+    return known
 
 
-def _crossings(levels: Callable[[Array], Array], level: int, points: Array, close: float) -> Array:
-    """Return a zero of a derivative in each cell at whose ends its signs differ."""
-    values = levels(points)[level]
-    turns = np.flatnonzero(values[:-1] * values[1:] < 0.0)
+def _bracketed(
+    moving: MovingLine, kinds: Indices, level: int, low: Array, high: Array, close: float
+) -> Array:
+    """Return a zero of a derivative in each bracket; ``kinds`` says of which function."""
+    each = np.arange(kinds.size)
 
     def function(t: Array) -> tuple[Array, Array]:
-        rows = levels(t)
-        return rows[level], rows[level + 1]
+        values = _values(moving.jet(t, level + 2))
+        return values[kinds, level, each], values[kinds, level + 1, each]
 
-    return bracketed_zero(function, points[turns], points[turns + 1], close)
+    return bracketed_zero(function, low, high, close)
 
 
-def _collected(
-    levels: Callable[[Array], Array],
-    allowed: Callable[[Array], Array],
-    points: Array,
-    signs: Array,
-    long: float,
-) -> _Zeros:
+# -- where a function is zero ----------------------------------------------------------------------
+
+
+def _zeros(moving: MovingLine, known: _Known, kind: int) -> _Zeros:
     """Read zeros and stretches off the signs: between two firm signs there is one zero or none."""
-    places: list[float] = []
-    touching: list[bool] = []
-    stretches: list[tuple[float, float]] = []
-    firm = np.flatnonzero(signs)
-    for i, j in pairwise([-1, *firm.tolist(), signs.size]):
-        inside = points[i + 1 : j]
+    finite = np.isfinite(known.values[kind, 0])
+    t, zero = known.t[finite], known.zero[kind, finite]
+    value, slope = np.abs(known.values[kind, :2, finite].T)
+    signs = np.where(value <= zero, 0.0, np.sign(known.values[kind, 0, finite]))
+    start, end = moving.domain
+    crossings, touching, stretches = [], [], []
+    for i, j in pairwise([-1, *np.flatnonzero(signs).tolist(), signs.size]):
+        inside = slice(i + 1, j)
         at_end = i < 0 or j == signs.size
-        if inside.size and inside[-1] - inside[0] >= long:
-            stretches.append(_grown(levels, allowed, points, i, j))
+        if j - i > 1 and t[j - 1] - t[i + 1] >= STRETCH * (end - start) / CELLS:
+            stretches.append((i, j))
         elif not at_end and signs[i] != signs[j]:
-            places += _crossing(levels, allowed, points[i], points[j])
-            touching += [False] * (len(places) - len(touching))
-        elif inside.size:
-            slopes = np.abs(levels(inside)[0 if at_end else 1])
-            places.append(float(inside[slopes.argmin()]))
-            touching.append(not at_end)
+            crossings.append((i, j))
+        elif j - i > 1:
+            least = (value if at_end else slope)[inside].argmin()
+            touching.append((float(t[inside][least]), not at_end))
+    found = [(x, False) for x in _crossed(moving, kind, t, value, crossings)]
+    places = sorted(found + touching)
     return _Zeros(
-        np.array(places), np.array(touching, dtype=bool), np.array(stretches).reshape(-1, 2)
+        np.array([x for x, _ in places]),
+        np.array([touches for _, touches in places], dtype=bool),
+        np.array(list(_grown(moving, kind, t, stretches))).reshape(-1, 2),
     )
 
 
-def _crossing(
-    levels: Callable[[Array], Array], allowed: Callable[[Array], Array], low: float, high: float
+def _crossed(
+    moving: MovingLine, kind: int, t: Array, value: Array, pairs: list[tuple[int, int]]
 ) -> list[float]:
-    """Return the zero between two places with different signs; none where the function jumps."""
-    ends = np.array([low, high])
-    zero = bracketed_zero(
-        lambda t: (levels(t)[0], levels(t)[1]), ends[:1], ends[1:], 1e-13 * (high - low)
-    )
-    jump = 1e-6 * float(np.abs(levels(ends)[0]).min())
-    continuous = abs(float(levels(zero)[0][0])) <= max(float(allowed(zero)[0]), jump)
-    return zero.tolist() if continuous else []
+    """Return the zeros between pairs of places with different signs; none where it jumps."""
+    if not pairs:
+        return []
+    left, right = np.array(pairs).T
+    start, end = moving.domain
+    close = 1e-13 * (end - start) / CELLS
+    kinds = np.full(left.size, kind)
+    places = _bracketed(moving, kinds, 0, t[left], t[right], close)
+    there = _known(moving, places)
+    jump = 1e-6 * np.minimum(value[left], value[right])
+    small = np.abs(there.values[kind, 0]) <= np.maximum(there.zero[kind], jump)
+    return [float(place) for place in places[small]]
 
 
 def _grown(
-    levels: Callable[[Array], Array],
-    allowed: Callable[[Array], Array],
-    points: Array,
-    i: int,
-    j: int,
-) -> tuple[float, float]:
-    """Return the ends of the stretch of zeros between the firm places i and j, by halving."""
-
-    def vanishes(t: float) -> bool:
-        place = np.array([t])
-        return bool(np.abs(levels(place)[0]) <= allowed(place))
-
-    return (
-        float(points[0]) if i < 0 else _edge(vanishes, float(points[i]), float(points[i + 1])),
-        float(points[-1]) if j == points.size else _edge(vanishes, points[j], points[j - 1]),
-    )
+    moving: MovingLine, kind: int, t: Array, pairs: list[tuple[int, int]]
+) -> Iterator[tuple[float, float]]:
+    """Yield the ends of the stretches of zeros between pairs of firm places."""
+    for i, j in pairs:
+        yield (
+            float(t[0]) if i < 0 else _edge(moving, kind, float(t[i]), float(t[i + 1])),
+            float(t[-1]) if j == t.size else _edge(moving, kind, float(t[j]), float(t[j - 1])),
+        )
 
 
-def _edge(vanishes: Callable[[float], bool], outside: float, inside: float) -> float:
+def _edge(moving: MovingLine, kind: int, outside: float, inside: float) -> float:
+    """Return where a stretch of zeros ends, by halving."""
     for _ in range(40):
         middle = 0.5 * (outside + inside)
-        outside, inside = (outside, middle) if vanishes(middle) else (middle, inside)
-    return float(inside)
+        there = _known(moving, np.array([middle]))
+        if np.abs(there.values[kind, 0, 0]) <= there.zero[kind, 0]:
+            inside = middle
+        else:
+            outside = middle
+    return inside
