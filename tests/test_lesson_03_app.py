@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 
 import numpy as np
@@ -21,7 +22,8 @@ from ruledlab.lab.apps.lesson_03 import MovingLine, moving_line
 from ruledlab.lab.overlay import pack
 from ruledlab.lab.palette import DARK, LIGHT
 from ruledlab.lab.scenes import moving
-from ruledlab.lab.scenes.moving import STARTS, Motion, Moving, near, picture, start, words
+from ruledlab.lab.scenes.moving import STARTS, Motion, Moving, near, picture, said, start, words
+from ruledlab.lab.scenes.shrinking import order, shrinking, shrinking_svg
 
 BY_KEY = {entry.key: entry for entry in STARTS}
 TYPED = [entry for entry in STARTS if entry.moving.kind != "gallery"]
@@ -184,6 +186,68 @@ def test_the_base_curve_of_a_picture_moves_as_its_rate_says() -> None:
         agree(scene.base_rate[1:-1], slope, 5e-3 * (1 + np.abs(slope).max()))
 
 
+# -- how fast the neighbour comes nearer -----------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("key", "place", "orders"),
+    [
+        ("circle", 1.0, (1, 1, 1)),
+        ("tangents", 1.0, (1, 3, 1)),  # of a developable the distance is of the third order
+        ("tangent_developable", 0.4, (1, 3, 1)),
+        ("conoid", math.pi / 4, (1, 2, None)),  # torsal; the feet lie on the axis, as m does
+        ("helicoid", 1.0, (1, 1, None)),
+        ("cone", 0.3, (1, None, None)),
+        ("cusp", 0.5, (2, 2, None)),  # κ = 0, and no striction point
+    ],
+)
+def test_the_orders_are_those_of_geometry(
+    key: str, place: float, orders: tuple[int | None, ...]
+) -> None:
+    found = shrinking(moving.moved(BY_KEY[key].moving).surface, place)
+    for name, expected in zip(("angle", "distance", "off"), orders, strict=True):
+        p = order(found, name)
+        assert (p == pytest.approx(expected, abs=0.1)) if expected else math.isnan(p), name
+
+
+def test_the_orders_are_said_and_drawn_in_both_themes(app: MovingLine) -> None:
+    app.shape.menu.value = "tangents"
+    for dark, theme in ((True, DARK), (False, LIGHT)):
+        app.restyle(dark)
+        shown = app.graph.value
+        assert "angle θ <b>like h</b>" in shown and "distance d <b>like h<sup>3</sup></b>" in shown
+        assert all(theme.quantity(name) in shown for name in ("tau", "delta", "sigma"))
+        assert (
+            'aria-label="Over the step h' in shown and "distance d like h to the power 3" in shown
+        )
+    app.shape.menu.value = "waist"
+    app.shape.a.slider.value = 0.0
+    assert "angle θ <b>is 0</b>" in app.graph.value
+    assert "foot to m <b>undefined</b>" in app.graph.value
+
+
+@pytest.mark.parametrize("h", [0.001, 0.03, 0.5])
+def test_the_marks_in_the_graph_lie_where_the_numbers_say(h: float) -> None:
+    surface = moving.moved(BY_KEY["circle"].moving).surface
+    pair = surface.neighbours(1.0, h)
+    off = float(np.linalg.norm(pair.foot_a - surface.striction(1.0)))
+    shown = shrinking_svg(shrinking(surface, 1.0), h, LIGHT)
+    marks = re.findall(r'<circle cx="([\d.]+)" cy="([\d.]+)"', shown)
+    lines = [float(y) for y in re.findall(r'<path d="M44 ([\d.]+)H', shown)]  # 1, 10⁻², 10⁻⁴ …
+    for (_, y), value in zip(marks, (pair.angle, pair.distance, off), strict=True):
+        at = lines[0] - (lines[1] - lines[0]) / 2 * math.log10(value)
+        assert float(y) == pytest.approx(at, abs=0.3)
+
+
+def test_small_numbers_show_their_order_and_rounding_is_zero() -> None:
+    assert said(-3.73e-5) == "−3.730·10⁻⁵"
+    assert said(4e-11) == "0.000000"
+    assert said(4e-11, 1e-12) == "4.000·10⁻¹¹"
+    assert said(-1e-14) == "0.000000"
+    assert said(0.25) == "0.250000"
+    assert said(math.inf) == "–"
+
+
 # -- the state -------------------------------------------------------------------------------------
 
 
@@ -326,11 +390,26 @@ def test_the_dual_conoid_answers_its_closed_form(seed: str) -> None:
 def test_the_striction_point_is_where_the_neighbour_is_nearest(seed: str) -> None:
     asked = task("03.3", seed)
     base = np.array(asked.slips[0].example)
-    a, n, r = base[0] / base[2], base[2], base[1]
-    circle = vector(f"{r}*cos(t) + {n}*a*sin(t), {r}*sin(t) - {n}*a*cos(t), {n}", a=a)
+    n, r = base[2] - asked.answer[2], base[1]
+    a = base[0] / n
+    circle = vector(f"{r}*cos(t) + {n}*a*sin(t), {r}*sin(t) - {n}*a*cos(t), {base[2]}", a=a)
     surface = RuledSurface.from_base(circle, vector("a*sin(t), -a*cos(t), 1", a=a), (0, 3))
     agree(circle(math.pi / 2), base, 1e-12)
     agree(surface.neighbours(math.pi / 2, 1e-6).foot_a, asked.answer, 1e-4)
+    foot = next(slip for slip in asked.slips if slip.name.startswith("foot point"))
+    agree(surface.foot(math.pi / 2), foot.example, 1e-12)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_on_the_helicoid_only_the_third_line_is_wrong(seed: str) -> None:
+    asked = task("03.10", seed)
+    r, p, h = -float(asked.then.answer), float(asked.lines[3].text.split("$")[1][0]), 0.2
+    helix = vector(f"{r}*cos(t), {r}*sin(t), {p}*t")
+    surface = RuledSurface.from_base(helix, vector("cos(t), sin(t), 0"), (0, 3))
+    pair, x = surface.neighbours(1.0, h), surface.line(1.0).direction
+    assert (float(pair.angle), float(pair.distance)) == pytest.approx((h, p * h))
+    assert asked.wrong_line == 2
+    agree(pair.foot_a, np.array(helix(1.0)) - r * x)
 
 
 @pytest.mark.parametrize("seed", SEEDS)

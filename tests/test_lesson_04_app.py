@@ -11,12 +11,22 @@ from hypothesis import strategies as st
 
 from ruledlab.design import Design
 from ruledlab.exercises.core import find
-from ruledlab.geometry import GeometryError, StrictionLength, gallery, screw, special_rulings
+from ruledlab.geometry import (
+    Dual,
+    GeometryError,
+    RuledSurface,
+    StrictionLength,
+    gallery,
+    screw,
+    special_rulings,
+)
 from ruledlab.lab.scenes.along import (
-    compared_html,
+    compared_words,
     equations_html,
     found_words,
+    numbers_html,
     places,
+    ruling_ends,
     screw_strokes,
     screw_words,
     signed,
@@ -31,10 +41,10 @@ import ipywidgets
 
 from ruledlab.geometry import frame_equations
 from ruledlab.lab import along_the_rulings, example
-from ruledlab.lab.apps.lesson_04 import START
 from ruledlab.lab.arc_plots import axis_note, mark_over_arc, over_arc
 from ruledlab.lab.scene import build_mark
 
+START = example("wave_ring")
 ROOT2PI = math.sqrt(2) * math.pi
 TORSAL = np.array([1, 2, 4, 5, 7, 8]) / 9
 
@@ -55,7 +65,8 @@ def shown(app):
     """Return everything the reader can read, but the pictures."""
     buttons = [(b.description, b.layout.display) for b in app.special.buttons]
     cursor = app.plots.widget.cursor["spoken"]  # its height depends on limits that stay
-    return (app.screw.value, app.equations.value, app.special.note.value, buttons, cursor)
+    numbers = app.numbers.table.value
+    return (numbers, app.equations.value, app.special.note.value, buttons, cursor)
 
 
 # ---- the ring in closed form --------------------------------------------------------------------
@@ -130,6 +141,24 @@ def test_a_special_stroke_lies_on_its_ruling(base):
             assert np.cross(point, line.direction) == pytest.approx(line.moment, abs=1e-9)
 
 
+@pytest.mark.parametrize("t", [0.3, 0.5])
+def test_a_cylindrical_ruling_is_drawn_between_those_beside_it(t):
+    design = example("cusp")  # κ = 0 at t = 1/2: no striction point there
+    surface = design.surface()
+    ends = ruling_ends(design, surface, np.array([t]))[0]
+    assert np.linalg.norm(ends[1] - ends[0]) == pytest.approx(design.length)
+    beside = surface.striction(np.array([t - 1e-3, t + 1e-3])).mean(axis=0)
+    assert ends.mean(axis=0) == pytest.approx(beside, abs=1e-3)
+    line = surface.line(t)
+    assert np.cross(ends[0], line.direction) == pytest.approx(line.moment, abs=1e-9)
+
+
+def test_where_nothing_turns_a_ruling_is_drawn_about_its_foot():
+    still = Design(((0.5, 1.0), (0.5, 1.0)), "u", "1")
+    ends = ruling_ends(still, still.surface(), np.array([0.5]))[0]
+    assert ends.mean(axis=0) == pytest.approx(still.surface().foot(0.5))
+
+
 @settings(max_examples=25)
 @given(st.sampled_from(["example_2", "orchid", "twisted_ring", "moebius"]), st.floats(0.02, 0.98))
 def test_the_screw_is_drawn_where_the_frame_turns(key, t):
@@ -196,11 +225,28 @@ def test_the_table_of_equations_says_what_is_undefined():
     assert "κ = 0" in screw_words(screw(surface, 0.0))
 
 
-def test_what_changed_is_bold_and_a_zero_has_no_sign():
-    text = compared_html("lifted", {"κ": 1.0, "τ": 2.0}, {"κ": 1.0, "τ": -2.0})
-    assert "<b>−2.0000</b>" in text
-    assert text.count("<b>") == 1
+def test_the_numbers_say_what_they_were_where_they_differ():
+    names = ("kappa", "kappa_bar", "tau", "tau_bar", "sigma", "delta", "pitch", "speed", "away")
+    before = dict.fromkeys(names, 1.0)
+    text = numbers_html(before | {"tau": -2.0, "delta": math.nan}, before)
+    assert text.count("was 1.0000") == 2
+    assert "<td>−2.0000</td><td>rad/t</td><td>was 1.0000</td>" in text
+    assert "<td>–</td><td>length</td><td>was 1.0000</td>" in text
+    assert text.count("<tr>") == 9
     assert signed(-1e-9) == "0.0000"
+
+
+def test_what_changed_is_said_in_words():
+    before = {"kappa": 1.0, "tau": 2.0, "sigma": 0.5}
+    before |= dict.fromkeys(("kappa_bar", "tau_bar", "delta", "pitch", "speed", "away"), 1.0)
+
+    def said(**changed):
+        return compared_words("Lifted", before, before | changed)
+
+    assert "Lifted: nothing changed." in said(kappa=1.0 + 1e-9)
+    assert "Lifted: τ changed, nothing else." in said(tau=-2.0)
+    assert "Lifted: κ, τ, σ changed, nothing else." in said(tau=-2.0, kappa=3.0, sigma=0.4)
+    assert "the place of the axis changed" in said(away=2.0)
 
 
 # ---- the app ------------------------------------------------------------------------------------
@@ -220,7 +266,7 @@ def test_the_cursor_moves_screw_table_and_plots(app):
     before = shown(app)
     app.time.t.slider.value = 0.5
     assert all(a != b for a, b in zip(before[:2], shown(app)[:2], strict=True))
-    assert "−1.2000" in app.screw.value  # h = 1.2 cos 9π… at t = 1/2: cos 3π = −1
+    assert "−1.2000" in app.numbers.table.value  # h = 1.2 cos 9π… at t = 1/2: cos 3π = −1
     assert app.plots.widget.cursor["t"] == pytest.approx(0.5)
     assert "−1.2" in app.view._words.value
 
@@ -285,14 +331,15 @@ def test_at_least_one_plot_stays(app):
 def test_reversal_and_back(app):
     app.lab.move_cursor(0.3)
     old, design = dict(app.lab.mark.values), app.lab.design
-    app.changes.reverse.click()
+    app.numbers.reverse.click()
     new = app.lab.mark.values
     assert app.lab.cursor == pytest.approx(0.7)
     for name, sign in (("kappa", 1), ("kappa_bar", 1), ("tau", -1), ("tau_bar", -1), ("delta", 1)):
         assert new[name] == pytest.approx(sign * old[name], abs=1e-9)
     assert (new["sigma"] + old["sigma"] - math.pi) % (2 * math.pi) == pytest.approx(0, abs=1e-9)
-    assert app.changes.table.value.count("<b>") == 3
-    app.changes.reverse.click()
+    assert app.numbers.table.value.count("was ") == 3
+    assert "Reversed: τ, τ̄, σ changed, nothing else." in app.numbers.said.value
+    app.numbers.reverse.click()
     assert app.lab.design == design
     app.history.undo.click()
     app.history.undo.click()
@@ -303,35 +350,35 @@ def test_reversal_and_back(app):
 def test_a_lift_changes_no_invariant_and_is_undone(app):
     app.lab.move_cursor(0.3)
     old, m, design = dict(app.lab.mark.values), app.lab.mark.striction, app.lab.design
-    app.changes.lift.click()
+    app.numbers.lift.click()
     assert app.lab.mark.values == pytest.approx(old, abs=1e-9)
     assert app.lab.mark.striction - m == pytest.approx([0, 0, 0.5], abs=1e-12)
-    assert "<b>" not in app.changes.table.value
+    assert "was" not in app.numbers.table.value
+    assert "Lifted: nothing changed." in app.numbers.said.value
     app.lab.move_cursor(0.4)
-    assert app.changes.table.value == ""
+    assert app.numbers.said.value == ""
     app.history.undo.click()
     assert app.lab.design == design
 
 
-def test_a_refused_lift_is_said_beside_the_buttons(app, monkeypatch):
+def test_a_refused_lift_is_said_beside_the_buttons(app):
     def refuse():
         raise GeometryError("`ubar` must be shorter")
 
-    monkeypatch.setattr(app.changes, "_lifted", refuse)
     design = app.lab.design
-    app.changes._change("lifted", refuse)
-    assert "ubar must be shorter" in app.changes.error.value
+    app.numbers._change("Lifted", refuse)
+    assert "ubar must be shorter" in app.numbers.error.value
     assert app.lab.design == design
-    assert app.changes.table.value == ""
+    assert app.numbers.said.value == ""
 
 
-@pytest.mark.parametrize("key", ["cone", "example_1", "moebius", "plucker_conoid", "ramp"])
+@pytest.mark.parametrize("key", ["cone", "cusp", "example_1", "moebius", "plucker_conoid", "ramp"])
 def test_every_gallery_surface_and_back(app, key):
     before = shown(app)
     app.gallery.menu.value = key
     for t in (0.0, 0.5, 1.0):
         app.lab.move_cursor(t)
-        assert "nan" not in app.screw.value + app.equations.value
+        assert "nan" not in app.numbers.table.value + app.equations.value
     app.history.undo.click()
     app.lab.move_cursor(0.05)
     assert shown(app) == before
@@ -358,6 +405,42 @@ def test_a_developable_counts_as_torsal_and_a_touching_ruling_too():
     touching = task.start.with_(ubar="0.2*sin(3*u)", vbar=f"{0.6 * math.tan(0.6)!r}")
     assert task.judge(touching).right
     assert task.judge(task.start.with_(ubar="1", vbar="0")).right  # a cone
+
+
+@pytest.mark.parametrize("key", ["wave_ring", "example_2", "twisted_ring"])
+def test_turning_every_line_round_does_what_the_exercise_says(key):
+    surface, t = gallery.surface(key), np.array([0.21, 0.64])
+    turned = RuledSurface.from_lines(lambda t: [-part for part in _dual_parts(surface, t)], (0, 1))
+    one, two = surface.invariants(t), turned.invariants(t)
+    for name, sign in (("kappa", 1), ("kappa_bar", 1), ("tau", -1), ("tau_bar", -1), ("delta", 1)):
+        assert getattr(two, name) == pytest.approx(sign * getattr(one, name), abs=1e-8)
+    assert np.cos(two.sigma) == pytest.approx(-np.cos(one.sigma), abs=1e-8)
+    assert np.sin(two.sigma) == pytest.approx(np.sin(one.sigma), abs=1e-8)
+    assert "$\\sigma$ becomes $\\pi-\\sigma$" in find("04.3").task().options[0].text
+
+
+def _dual_parts(surface, t):
+    """Return X(t) of a chart surface as dual numbers of series, by û = u + ε ū, v̂ = v + ε v̄."""
+    u, v = surface.curve.series(np.asarray(t.value), t.order)
+    u, v = Dual(u, surface.ubar(u, v)), Dual(v, surface.vbar(u, v))
+    return np.cos(u) * np.sin(v), np.sin(u) * np.sin(v), np.cos(v)
+
+
+def test_three_that_touch():
+    task = find("04.9").task()
+    ring = task.start
+    assert task.judge(ring).state == "wrong"
+    for right in (ring.with_(vbar="-1.2"), ring.with_(ubar="0.2*sin(3*u)"), ring.with_(vbar="6/5")):
+        assert task.judge(right).right
+    assert "touching" in task.judge(ring.with_(vbar="1.2001")).slip
+    assert task.judge(ring.with_(vbar="1.1")).state == "wrong"
+    assert task.judge(ring.with_(vbar="9")).slip == ""
+
+
+def test_a_great_circle_does_not_bend_to_both_sides_by_rounding():
+    task = find("04.10").task()
+    level = task.start.with_(points=tuple((u, math.pi / 2) for u, _ in task.start.points))
+    assert task.judge(level).state == "wrong"
 
 
 @pytest.mark.parametrize("seed", ["", "1", "Ada"])

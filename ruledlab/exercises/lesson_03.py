@@ -128,13 +128,14 @@ def another_base(draw: Draw) -> Choose:
 
 def striction_point(draw: Draw) -> Number:
     """Ask for a striction point of a hyperboloid with a circle off its waist."""
-    r, n, a = draw.integer(2, 4), draw.integer(1, 3), draw.integer(1, 2)
-    base = np.array([n * a, r, n], dtype=float)
-    value = np.array([0.0, r, 0.0])
-    k, na = _times(a), _times(n * a)
+    r, n, a, q = draw.integer(2, 4), draw.integer(1, 3), draw.integer(1, 2), draw.integer(1, 2)
+    way = np.array([a, 0.0, 1.0])  # of length √(1 + a²), along the ruling t = π/2
+    value = np.array([0.0, r, q])
+    base = value + n * way
+    k, na, root = _times(a), _times(n * a), rf"\sqrt{{{1 + a * a}}}"
     return Number(
-        question=rf"$\mathbf c=({r}\cos t+{na}\sin t,\ {r}\sin t-{na}\cos t,\ {n})$ and "
-        rf"$\mathbf x=({k}\sin t,\ -{k}\cos t,\ 1)/\sqrt{{{1 + a * a}}}$. "
+        question=rf"$\mathbf c=({r}\cos t+{na}\sin t,\ {r}\sin t-{na}\cos t,\ {n + q})$ and "
+        rf"$\mathbf x=({k}\sin t,\ -{k}\cos t,\ 1)/{root}$. "
         r"Where is the striction point of the ruling $t=\tfrac\pi2$?",
         answer=value,
         label="m =",
@@ -148,19 +149,32 @@ def striction_point(draw: Draw) -> Number:
             ),
             known.mistaken_for(
                 "sign of the way to m",
-                2 * base - value,
+                base + n * way,
                 r"You went the right way in the wrong sense: there is a minus sign in "
                 r"$\mathbf m=\mathbf c-\ldots$",
             ),
+            known.mistaken_for(
+                "foot point taken for the striction point",
+                base - (base @ way) / (way @ way) * way,
+                r"This is the foot point $\mathbf x\times\bar{\mathbf x}$, nearest to the "
+                "<i>origin</i>. The striction point is nearest to the neighbouring ruling.",
+            ),
+            known.mistaken_for(
+                "quotient upside down",
+                base - way / (n * (way @ way)),
+                r"The quotient is upside down: $\langle\mathbf x',\mathbf c'\rangle$ stands above, "
+                r"$\langle\mathbf x',\mathbf x'\rangle$ below.",
+            ),
         ),
+        because=r"It lies on the waist circle of this hyperboloid.",
         hints=(
             STRICTION + ".",
-            rf"At $t=\tfrac\pi2$: $\mathbf x'=(0,{a},0)/\sqrt{{{1 + a * a}}}$ and "
+            rf"At $t=\tfrac\pi2$: $\mathbf x'=(0,{a},0)/{root}$ and "
             rf"$\mathbf c'=(-{r},{n * a},0)$.",
-            rf"The quotient is ${n}\sqrt{{{1 + a * a}}}$.",
+            rf"The quotient is ${_times(n)}{root}$.",
         ),
-        solution=rf"The quotient is ${n}\sqrt{{{1 + a * a}}}$ and $\mathbf m=({n * a},{r},{n})-"
-        rf"{n}\,({a},0,1)=(0,{r},0)$: a point of the waist circle of this hyperboloid.",
+        solution=rf"The quotient is ${_times(n)}{root}$ and $\mathbf m=({n * a},{r},{n + q})-"
+        rf"{_times(n)}\,({a},0,1)=(0,{r},{q})$: a point of the waist circle of this hyperboloid.",
     )
 
 
@@ -190,6 +204,8 @@ def neighbour(draw: Draw) -> Number:
         ),
         because=r"The angle is about $\kappa h$, the distance $\bar\kappa h=\delta\kappa h$.",
         hints=(
+            r"By what angle does the ruling turn while $t$ grows by 0.01? And how far does it move "
+            "aside for each radian?",
             r"The dual angle of $\mathbf X(t)$ and $\mathbf X(t+h)$ is about $\hat\kappa\,h$.",
             r"Its dual part is $\bar\kappa h$, and $\bar\kappa=\delta\kappa$.",
         ),
@@ -402,6 +418,11 @@ def from_lines(draw: Draw) -> Code:
                 math.sin(k * place),
                 r"This is $\bar t$, the height of the ruling. $\delta$ is how fast it changes.",
             ),
+            known.mistaken_for(
+                "inner factor forgotten",
+                math.cos(k * place),
+                rf"The derivative of $\sin {k}t$ is ${k}\cos {k}t$.",
+            ),
         ),
         hints=(
             "from_lines takes one function of t that returns the three components of X.",
@@ -422,8 +443,8 @@ def lost_curve(draw: Draw) -> FindSlip:
     """Ask where the base curve was taken for the striction curve."""
     r, p = draw.integer(2, 4), draw.integer(2, 3)
     return FindSlip(
-        question="Where on a ruling does the surface curve most? One step of this reasoning is "
-        "wrong.",
+        question="Where does a ruling come nearest to its neighbours? One step of this reasoning "
+        "is wrong.",
         lines=(
             Line(
                 rf"$\mathbf c=({r}\cos t,{r}\sin t,{p}t)$ and $\mathbf x=(\cos t,\sin t,0)$ make a "
@@ -431,16 +452,16 @@ def lost_curve(draw: Draw) -> FindSlip:
                 r"all rulings are horizontal, meet the $z$-axis and climb evenly.",
             ),
             Line(
-                rf"$\kappa=1$ and $\bar\kappa={p}$, so $\delta={p}$.",
-                rf"$\kappa=\|\mathbf x'\|=1$ and $[\mathbf c',\mathbf x,\mathbf x']={p}$.",
+                r"The rulings at $t$ and at $t+h$ enclose the angle $h$.",
+                r"$\langle\mathbf x(t),\mathbf x(t+h)\rangle=\cos h$.",
             ),
             Line(
-                r"$|K|$ is greatest at $w=0$, that is on $\mathbf c$.",
+                r"They come nearest to each other on the base curve, at $\mathbf c(t)$ and "
+                r"$\mathbf c(t+h)$.",
             ),
             Line(
-                rf"This greatest value is $1/\delta^2=1/{p * p}$.",
-                r"$K=-\delta^2/(\delta^2+w^2)^2$ with $w$ measured from the striction point, "
-                "which gives $-1/\\delta^2$ there.",
+                rf"Their shortest distance is ${p}h$, and so $\delta={p}$.",
+                rf"both are horizontal, one ${p}h$ above the other; no other distance is shorter.",
             ),
         ),
         then=Number(
@@ -466,13 +487,15 @@ def lost_curve(draw: Draw) -> FindSlip:
             because=r"There lies the striction curve: the axis.",
         ),
         hints=(
-            "Which curve of the surface does each line speak of?",
-            r"$K=-\delta^2/(\delta^2+w^2)^2$ holds if $w$ is measured from the striction point.",
+            rf"How far apart are $\mathbf c(t)$ and $\mathbf c(t+h)$? Compare with ${p}h$.",
+            "The common perpendicular of two horizontal lines is vertical. Where do the two "
+            "rulings lie one above the other?",
             STRICTION + ".",
         ),
-        solution=r"$|K|$ is greatest on the <i>striction</i> curve, and $\mathbf c$ is another "
-        rf"one: $\langle\mathbf x',\mathbf c'\rangle={r}$ and $\langle\mathbf x',\mathbf x'\rangle"
-        rf"=1$, so it lies at $w=-{r}$, on the axis.",
+        solution=r"The rulings come nearest on the <i>striction</i> curve, and $\mathbf c$ is "
+        rf"another one: $\langle\mathbf x',\mathbf c'\rangle={r}$ and "
+        rf"$\langle\mathbf x',\mathbf x'\rangle=1$, so it lies at $w=-{r}$, on the axis. The "
+        rf"points $\mathbf c(t)$ and $\mathbf c(t+h)$ are farther apart than ${p}h$.",
     )
 
 

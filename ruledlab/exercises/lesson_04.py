@@ -33,6 +33,8 @@ from .core import (
 __all__ = ["EXERCISES"]
 
 TURN = 2 * math.pi
+CLEAR = 0.02
+"""How far τ has to get to either side of 0, in radians per t."""
 
 
 def _ring(height: float, wave: str, radius: str) -> RuledSurface:
@@ -47,25 +49,25 @@ def torsal(draw: Draw) -> Choose:
     """Ask what vanishes on a torsal ruling."""
     options = (
         Option(
-            r"$\bar\kappa$ and $\delta$",
-            r"$\delta=\bar\kappa/\kappa$: the ruling turns, $\kappa\neq0$, but its neighbour does "
-            "not pass it at a distance of first order. The tangent plane is the same all along.",
+            r"$\bar\kappa$, so that the neighbour does not pass at a distance of first order",
+            r"And with it $\delta=\bar\kappa/\kappa$, as $\kappa\neq0$. The tangent plane is the "
+            "same all along the ruling.",
             right=True,
         ),
         Option(
-            r"$\kappa$",
-            r"Where $\kappa=0$ the ruling keeps its direction for a moment: it is cylindrical. On "
-            r"a torsal ruling $\kappa\neq0$, so that $\delta=\bar\kappa/\kappa$ is defined.",
+            r"$\kappa$, so that the ruling keeps its direction for a moment",
+            r"Where $\kappa=0$ the ruling is cylindrical. On a torsal one $\kappa\neq0$, so that "
+            r"$\delta=\bar\kappa/\kappa$ is defined.",
             slip="torsal taken for cylindrical",
         ),
         Option(
-            r"$\bar\tau$",
-            r"Where $\bar\tau=0$ the striction curve, $\mathbf m'=\bar\tau\mathbf x_1+\bar\kappa"
-            r"\mathbf x_3$, crosses the ruling at right angles: $\sigma=\pm\tfrac\pi2$.",
+            r"$\bar\tau$, so that the striction curve crosses the ruling at right angles",
+            r"That is what $\bar\tau=0$ does, by $\mathbf m'=\bar\tau\mathbf x_1+\bar\kappa"
+            r"\mathbf x_3$. On a torsal ruling the other term is zero.",
             slip="κ̄ and τ̄ exchanged",
         ),
         Option(
-            r"$\tau$",
+            r"$\tau$, so that the frame does not turn about the ruling",
             r"$\tau$ belongs to the directions alone. No choice of $\bar u,\bar v$ can change it, "
             "but it can make a ruling torsal.",
         ),
@@ -75,7 +77,7 @@ def torsal(draw: Draw) -> Choose:
         options=options,
         order=draw.shuffled(len(options)),
         hints=(
-            "Go to one in the laboratory by its button and read the plots.",
+            "Go to one in the laboratory by its button and read the numbers.",
             r"The tangent plane turns along the ruling by $\arctan(w/\delta)$.",
         ),
         solution=r"$\bar\kappa=0$ and with it $\delta=\bar\kappa/\kappa$, while $\kappa\neq0$. The "
@@ -84,13 +86,13 @@ def torsal(draw: Draw) -> Choose:
 
 
 def reversal(draw: Draw) -> Choose:
-    """Ask what changes when t runs backwards."""
+    """Ask what changes when every ruling gets the opposite direction."""
     options = (
         Option(
             r"$\tau$ and $\bar\tau$ change their signs, $\sigma$ becomes $\pi-\sigma$; the others "
             "stay",
             r"$\hat\kappa=\|\mathbf X'\|$ does not see the sense, and in "
-            r"$[\mathbf X,\mathbf X',\mathbf X'']$ one factor changes its sign.",
+            r"$[\mathbf X,\mathbf X',\mathbf X'']$ three factors change their signs.",
             right=True,
         ),
         Option(
@@ -101,27 +103,32 @@ def reversal(draw: Draw) -> Choose:
             r"$\bar\kappa$ and $\delta$ change their signs; the others stay",
             r"$\kappa\bar\kappa=\langle\mathbf x',\bar{\mathbf x}'\rangle$ has two factors that "
             "change their signs together. The sign of δ tells left from right, and a surface does "
-            "not become its mirror image by being run through backwards.",
+            "not become its mirror image by turning its lines round.",
+            slip="reversal taken for reflection",
         ),
         Option(
             "none: they are invariants",
-            "They are invariants of rigid motions. The sense in which the rulings follow each "
-            "other is a choice of ours, and some of them see it.",
+            "They are invariants of rigid motions. Which of the two directions of a line is called "
+            r"$\mathbf x$ is a choice of ours, and some of them see it.",
             slip="invariant under everything",
         ),
     )
     return Choose(
-        question=r"The same rulings, with the same orientation, are run through backwards, "
-        r"$t\to-t$. What happens to $\kappa,\bar\kappa,\tau,\bar\tau,\sigma,\delta$ on a ruling?",
+        question=r"Every ruling of a surface gets the opposite direction, "
+        r"$\mathbf X\to-\mathbf X$, and $t$ stays as it is. What happens to "
+        r"$\kappa,\bar\kappa,\tau,\bar\tau,\sigma,\delta$?",
         options=options,
         order=draw.shuffled(len(options)),
         hints=(
-            "Press <i>reverse</i> in the laboratory and read the table that appears.",
-            r"$\mathbf X'$ changes its sign, $\mathbf X$ and $\mathbf X''$ do not.",
+            r"Not quite what <i>reverse</i> does in the laboratory: there only "
+            r"$\mathbf X'$ changes its sign. Count the signs.",
+            r"$\hat\kappa=\|\mathbf X'\|$ and $\hat\tau=[\mathbf X,\mathbf X',\mathbf X'']/"
+            r"\|\mathbf X'\|^2$.",
         ),
-        solution=r"$\mathbf X'\to-\mathbf X'$, so $\hat\kappa\to\hat\kappa$ and $\hat\tau="
-        r"[\mathbf X,\mathbf X',\mathbf X'']/\|\mathbf X'\|^2\to-\hat\tau$; $\delta$ stays, and "
-        r"$\sigma$, the direction of $(\bar\tau,\bar\kappa)$, becomes $\pi-\sigma$.",
+        solution=r"$\hat\kappa\to\hat\kappa$ and $\hat\tau\to-\hat\tau$, three factors having "
+        r"changed their sign; so $\delta$ stays, and $\sigma$, the direction of "
+        r"$(\bar\tau,\bar\kappa)$, becomes $\pi-\sigma$. Running backwards does "
+        "the same with one factor. Who does both changes nothing.",
     )
 
 
@@ -152,6 +159,18 @@ def curvature_and_delta(draw: Draw) -> Number:
             [TURN, delta],
             r"$u'=2\pi$ is the speed in the chart. On the sphere a step $du$ is worth only "
             r"$\sin v\,du$. $\delta$ is right.",
+        ),
+        known.mistaken_for(
+            "height for its rate",
+            [kappa, delta - rate + size * math.sin(waves * TURN * t)],
+            r"$\kappa$ is right. In $\delta$ stands not $\bar u$ itself but its rate $\bar u_u$: a "
+            "ruling that is lifted moves no faster past its neighbour.",
+        ),
+        known.mistaken_for(
+            "rate by t for rate by u",
+            [kappa, delta - rate + TURN * rate],
+            r"$\kappa$ is right. You differentiated $\bar u$ by $t$. In $\delta$ stands "
+            r"$\bar u_u=d\bar u/du$; the factor $u'$ cancels.",
         ),
     ]
     return Number(
@@ -199,6 +218,12 @@ def screw_pitch(draw: Draw) -> Number:
                 r"This is $\|\mathbf m'\|/\omega$. Only the part of $\mathbf m'$ <i>along</i> the "
                 "axis counts.",
             ),
+            known.mistaken_for(
+                "per t, not per radian",
+                value * math.hypot(kappa, tau),
+                r"This is the speed along the axis, for each unit of $t$. Divide once more by "
+                r"$\|\omega\|$, the radians in a unit of $t$.",
+            ),
         ),
         because=r"$h=\langle\omega,\mathbf m'\rangle/\|\omega\|^2$.",
         hints=(
@@ -214,7 +239,8 @@ def screw_pitch(draw: Draw) -> Number:
 
 def dual_torsion(draw: Draw) -> Number:
     """Ask for τ̄ on a ring, where (18) as printed gives something else."""
-    a, b, t = draw.one_of((1, 2)), draw.one_of((1, 2, 3)), draw.one_of((0.0, 0.25, 0.5))
+    a, b, t = draw.one_of((1, 2)), draw.one_of((1, 2, 3)), draw.one_of((0, 1 / 6, 1 / 3, 1 / 2))
+    place = {0: "0", 1 / 6: r"\tfrac16", 1 / 3: r"\tfrac13", 1 / 2: r"\tfrac12"}[t]
     surface = _ring(math.pi / 4, f"{a}*sin(u)", f"{b}")
     value = TURN * math.sqrt(0.5) * (a * math.cos(TURN * t) - b)
     printed = -TURN * math.sqrt(0.5) * b
@@ -230,7 +256,7 @@ def dual_torsion(draw: Draw) -> Number:
         slips.append(known.mistaken_for("κ̄ for τ̄", kappa_bar, word))
     return Number(
         question=rf"A ring: $u=2\pi t$, $v=\tfrac\pi4$, $\bar u={_times(a)}\sin u$, $\bar v={b}$. "
-        rf"How large is the dual torsion $\bar\tau$ at $t={t:g}$?",
+        rf"How large is the dual torsion $\bar\tau$ at $t={place}$?",
         answer=value,
         label="τ̄ =",
         unit="length per t",
@@ -375,6 +401,74 @@ def _has_torsal(made: Made) -> tuple[Condition, ...]:
     return (Condition(text, least, 0.0, "length", rf"least $|\delta|={least:.3f}$"),)
 
 
+def touch(draw: Draw) -> Drag:
+    """Ask for a wave ring whose torsal rulings have met two by two."""
+    ring = gallery.example("wave_ring")
+    start = Design(ring.points, ring.ubar, ring.vbar, closing=ring.closing, name=ring.title)
+    return Drag(
+        question=r"The wave ring has six torsal rulings. Make them meet two by two, so that there "
+        r"are just three on which $\bar\kappa$ touches zero and keeps its sign. (Change "
+        r"$\bar u$ or $\bar v$ by their formulas.)",
+        start=start,
+        model=start.with_(vbar="1.2"),
+        conditions=_three_touching,
+        fields=True,
+        plots=("delta",),
+        slips=(
+            Misconception(
+                "nearly touching",
+                _nearly_touching,
+                r"The least $|\delta|$ is small, but $\bar\kappa$ has no zero any more: you have "
+                "gone a little too far. Nearly touching is not touching.",
+                start.with_(vbar="1.21"),
+            ),
+        ),
+        because=r"The lowest points of $\delta$ lie on zero: three double zeros. A search for "
+        "changes of sign would have found none of them.",
+        hints=(
+            "Look at the plot of δ: at which height does its wave swing, and how far?",
+            r"$\delta=\bar v\cot v+\bar u_u$ with $\cot v=1$ here, so "
+            r"$\delta=\bar v+1.2\cos 3u$.",
+            r"The wave has to be lifted until its lowest points lie on zero.",
+        ),
+        solution=r"$\bar v=1.2$ gives $\delta=1.2\,(1+\cos 3u)$, zero where $\cos3u=-1$: at "
+        r"$t=\tfrac16,\tfrac12,\tfrac56$. So do $\bar v=-1.2$ and $\bar u=0.2\sin3u$.",
+    )
+
+
+def _three_touching(made: Made) -> tuple[Condition, ...]:
+    crossing, touching = _crossing_and_touching(made.surface)
+    return (
+        Condition(r"no torsal ruling on which $\bar\kappa$ changes its sign", crossing, 0.0,
+                  now=f"now {crossing}"),
+        Condition(r"three on which it keeps its sign", abs(touching - 3), 0.0,
+                  now=f"now {touching}"),
+    )  # fmt: skip
+
+
+def _crossing_and_touching(surface: RuledSurface) -> tuple[int, int]:
+    """Count the torsal rulings on which κ̄ changes its sign, and those on which it does not.
+
+    On a closed surface the first and the last ruling are one.
+    """
+    found, (first, last) = special_rulings(surface), surface.domain
+    step = 1e-6 * (last - first)
+    inner = (found.torsal > first + step) & (found.torsal < last - step)
+    ends = int((~inner).sum())
+    touching = found.touching[inner]
+    if ends == 2 and surface.closure().closed:
+        before, after = surface.invariants([last - step, first + step]).delta
+        touching = np.append(touching, before * after > 0)
+    elif ends:
+        touching = np.append(touching, np.zeros(ends, dtype=bool))
+    return int((~touching).sum()), int(touching.sum())
+
+
+def _nearly_touching(made: Made) -> bool:
+    delta = np.abs(made.surface.invariants(np.linspace(*made.surface.domain, 400)).delta)
+    return not len(special_rulings(made.surface).torsal) and bool(np.nanmin(delta) < 0.1)
+
+
 def straighten(draw: Draw) -> Drag:
     """Ask for a path on the sphere that bends to both sides."""
     low = draw.one_of((0.7, 0.8, 0.9))
@@ -424,7 +518,8 @@ def _both_signs(made: Made) -> tuple[Condition, ...]:
         return (Condition(text, math.nan, 0.0, now="τ is undefined everywhere"),)
     low, high = float(tau.min()), float(tau.max())
     now = rf"now from ${low:.3g}$ to ${high:.3g}$"
-    return (Condition(text, max(low, -high, 0.0), 0.0, "rad per t", now),)
+    off = max(low + CLEAR, CLEAR - high, 0.0)  # along a great circle both signs are rounding
+    return (Condition(text, off, 0.0, "rad per t", now),)
 
 
 # -- Python ----------------------------------------------------------------------------------------
@@ -546,14 +641,15 @@ def _eps(value: int) -> str:
 EXERCISES = (
     Exercise("04.1", "What is zero on a torsal ruling", torsal),
     Exercise("04.2", "κ and δ on a ring", curvature_and_delta),
-    Exercise("04.3", "Backwards", reversal),
+    Exercise("04.3", "Every line turned round", reversal),
     Exercise("04.4", "δ as a formula", distribution),
     Exercise("04.5", "A spiral across the equator", spiral),
     Exercise("04.6", "The pitch of the screw", screw_pitch),
     Exercise("04.7", "The dual torsion of a ring", dual_torsion),
     Exercise("04.8", "Make a ruling torsal", make_torsal),
-    Exercise("04.9", "Bend to both sides", straighten),
-    Exercise("04.10", "Special rulings in three lines", print_special),
-    Exercise("04.11", "A slip in the frame equations", frame_slip),
+    Exercise("04.9", "Six become three", touch),
+    Exercise("04.10", "Bend to both sides", straighten),
+    Exercise("04.11", "Special rulings in three lines", print_special),
+    Exercise("04.12", "A slip in the frame equations", frame_slip),
 )
 """The exercises in their order."""

@@ -18,6 +18,8 @@ def test_a_neighbour_comes_nearer_and_an_exercise_is_answered(lab: LabSession) -
         page.press(page.page.get_by_role("slider", name=H).first, "ArrowLeft", 14)
         page.wait_change(first, THREE)
         page.page.get_by_text("0.1", exact=True).first.wait_for()
+        graph = page.page.get_by_role("img", name="Over the step h").first
+        assert "distance d like h" in str(graph.get_attribute("aria-label"))
         page.screenshot("lesson-03")
         page.dark()
         page.command("application:toggle-left-area")

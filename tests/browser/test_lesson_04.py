@@ -34,6 +34,10 @@ def test_one_cursor_goes_through_all_of_lesson_04(lesson: NotebookPage) -> None:
     plots = lesson.wait_change(plots, PLOTS)
     # The pitch of the screw is 1.2 cos 3u, and cos 3u = −1/2 on a torsal ruling.
     assert "−0.6000" in page.locator(".ruledlab-numbers").first.inner_text()
+    page.get_by_role("button", name="reverse").first.click()
+    page.get_by_text("Reversed: τ, τ̄, σ changed, nothing else.").first.wait_for()
+    assert "was 4.4429" in page.locator(".ruledlab-numbers").first.inner_text()
+    plots = lesson.wait_change(plots, PLOTS)
     page.get_by_role("button", name="over s").first.click()
     assert lesson.wait_change(plots, PLOTS) != plots
     page.get_by_text("Over the arc length s").first.wait_for()

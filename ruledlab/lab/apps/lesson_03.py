@@ -9,7 +9,7 @@ from typing import Any
 import ipywidgets as w
 
 from ...geometry.checks import GeometryError
-from ...geometry.field import FormulaError
+from ...geometry.formula import FormulaError
 from ...geometry.vector import vector
 from ..controls import (
     Group,
@@ -23,6 +23,7 @@ from ..controls import (
 from ..palette import DARK, LIGHT, Theme
 from ..scene import Scene
 from ..scenes.moving import FIRST, SECOND, STARTS, Motion, Moving, Near, picture, said, start, words
+from ..scenes.shrinking import orders_html, shrinking, shrinking_svg
 from ..slate import Change
 from ..view3d import SurfaceView
 from .base import App
@@ -208,7 +209,7 @@ class MovingLine(App):
     def __init__(self, motion: Motion) -> None:
         self.motion = motion
         super().__init__(motion)
-        self.view = SurfaceView(620, 430)
+        self.view = SurfaceView(620, 540)
         self._drawn: Scene | None = None
         self.view.sphere("off")
         self.view.show(frame=False)
@@ -221,7 +222,8 @@ class MovingLine(App):
             layout=w.Layout(width="auto", min_width="64px"),
         )
         self.shape.click(self.home, lambda: self.view.reset_view())
-        self.numbers, self.legend = w.HTML(), w.HTML(_legend(LIGHT))
+        self.numbers, self.graph, self.legend = w.HTML(), w.HTML(), w.HTML(_legend(LIGHT))
+        self._theme = LIGHT
         self._views = [self.view]
         self._groups = [self.shape, self.steps, self.time, self.history]
         self.assemble(self._grid())
@@ -230,7 +232,7 @@ class MovingLine(App):
         parts = {
             "head": w.Box([self.shape.menu, self.history.widget, self.home]),
             "hand": w.VBox([self.shape.widget, self.steps.widget]),
-            "edit": w.VBox([self.numbers]),
+            "edit": w.VBox([self.numbers, self.graph]),
             "right": w.VBox([self.view.widget, self.time.widget, self.legend]),
             "foot": w.VBox([self.shape.note]),
         }
@@ -241,7 +243,9 @@ class MovingLine(App):
     def restyle(self, dark: bool) -> None:
         """Change the picture to the light or the dark theme, and the legend with it."""
         super().restyle(dark)
-        self.legend.value = _legend(DARK if dark else LIGHT)
+        self._theme = DARK if dark else LIGHT
+        self.legend.value = _legend(self._theme)
+        self._draw_graph()
 
     def update(self, change: Change) -> None:
         """Draw what changed; the surface itself only where it is another one."""
@@ -256,17 +260,25 @@ class MovingLine(App):
             self.view.reset_view(result.scene)
         self.view.describe(words(result, pair))
         self.numbers.value = numbers_html(pair)
+        self._draw_graph()
+
+    def _draw_graph(self) -> None:
+        """Draw how the neighbour comes nearer as h goes to 0."""
+        pair, surface = self.motion.near, self.motion.result.surface
+        found = shrinking(surface, pair.t)
+        picture = shrinking_svg(found, pair.h, self._theme)
+        self.graph.value = picture + orders_html(found, self._theme)
 
 
 def numbers_html(pair: Near) -> str:
     """Return the numbers of a ruling and its neighbour as a table."""
     rows = (
         ("step", "h", f"{pair.h:.4g}", "of t"),
-        ("signed distance", "d", said(pair.distance), "length"),
-        ("angle", "φ", said(pair.angle), "rad"),
-        ("distance/angle", "d/φ", said(pair.ratio), "length"),
+        ("signed distance", "d", said(pair.distance, 1e-12), "length"),
+        ("angle", "θ", said(pair.angle), "rad"),
+        ("distance/angle", "d/θ", said(pair.ratio), "length"),
         ("distribution parameter", "δ", said(pair.delta), "length"),
-        ("difference", "d/φ − δ", said(pair.ratio - pair.delta), "length"),
+        ("difference", "d/θ − δ", said(pair.ratio - pair.delta), "length"),
         ("foot p to m", "‖p − m‖", said(pair.off), "length"),
         ("way from c to m", "μ", said(pair.along), "length"),
     )

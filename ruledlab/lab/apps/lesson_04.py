@@ -9,6 +9,7 @@ import ipywidgets as w
 import numpy as np
 
 from ...design import Design
+from ...geometry import gallery
 from ...geometry.checks import GeometryError
 from ...geometry.motion import StrictionLength, frame_equations, screw
 from ...geometry.special import special_rulings
@@ -19,6 +20,7 @@ from ..controls import (
     HistoryControl,
     PointControl,
     TimeControl,
+    design_of,
     error_html,
     plain,
 )
@@ -29,11 +31,11 @@ from ..scene import SYMBOLS
 from ..scenes.along import (
     MOST,
     Place,
-    compared_html,
+    compared_words,
     equations_html,
     found_words,
+    numbers_html,
     places,
-    screw_html,
     screw_strokes,
     screw_words,
     special_strokes,
@@ -43,17 +45,7 @@ from ..state import Lab
 from ..view3d import SurfaceView
 from .base import LabApp, connect
 
-__all__ = ["START", "AlongTheRulings", "along_the_rulings"]
-
-START: Final = Design(
-    ((0.0, np.pi / 4), (2 * np.pi, np.pi / 4)),
-    "0.4*sin(3*u)",
-    "0.6",
-    closing="C2",
-    length=2.4,
-    name="Ring with six torsal rulings",
-)
-"""δ = 0.6 + 1.2 cos 3u, κ = τ = √2 π: torsal where cos 3u = −1/2, that is t = 1/9, 2/9, 4/9 …"""
+__all__ = ["AlongTheRulings", "along_the_rulings"]
 
 LIFT: Final = 0.5
 
@@ -64,11 +56,16 @@ def along_the_rulings(design: Design | None = None, cursor: float = 0.05) -> Alo
     Parameters
     ----------
     design
-        where to begin; None for a ring with six torsal rulings, on which κ̄ changes its sign.
+        where to begin; None for the gallery's wave ring, which has six torsal rulings.
     cursor
         the t to begin with.
     """
-    return AlongTheRulings(Lab(design or START, cursor))
+    return AlongTheRulings(Lab(design or _wave_ring(), cursor))
+
+
+def _wave_ring() -> Design:
+    """Return the wave ring with rulings long enough to be seen as lines."""
+    return design_of(gallery.example("wave_ring")).with_(length=2.4)
 
 
 class PlotControl(Group):
@@ -154,8 +151,8 @@ class SpecialControl(Group):
                 self.put(button, description=said, tooltip=place.word)
 
 
-class ChangeControl(Group):
-    """Reversal and a rigid motion, each with a table of what it changed on the same ruling."""
+class NumbersControl(Group):
+    """The numbers at the cursor; a reversal or a rigid motion says which of them it changed."""
 
     def __init__(self, lab: Lab) -> None:
         super().__init__()
@@ -165,20 +162,23 @@ class ChangeControl(Group):
         self.reverse.tooltip = "run through the same rulings from the last to the first"
         self.lift = w.Button(description="lift", icon="arrow-up", layout=layout)
         self.lift.tooltip = f"move the whole surface up by {LIFT:g}: ū becomes ū + {LIFT:g}"
-        self.error, self.table = w.HTML(), w.HTML()
-        self.bar = w.HBox([self.reverse, self.lift]).add_class("ruledlab-bar")
-        self.widget = w.VBox([self.error, self.table])
-        self.click(self.reverse, lambda: self._change("reversed", self._reversed))
-        self.click(self.lift, lambda: self._change("lifted", self._lifted))
+        self.said, self.error, self.table = w.HTML(), w.HTML(), w.HTML()
+        bar = w.HBox([self.reverse, self.lift, self.said]).add_class("ruledlab-bar")
+        self.widget = w.VBox([self.table, bar, self.error])
+        self.click(self.reverse, lambda: self._change("Reversed", self._reversed))
+        self.click(self.lift, lambda: self._change("Lifted", self._lifted))
         self.follow(lab, self.update)
+        self.update(Change(mark=True))
 
     def _change(self, word: str, make: Any) -> None:
         before = _numbers(self._lab)
         if not self._lab.attempt("change", make):
             return
-        if word == "reversed":
+        if word == "Reversed":
             self._lab.move_cursor(sum(self._lab.result.surface.domain) - self._lab.cursor)
-        self.put(self.table, value=compared_html(word, before, _numbers(self._lab)))
+        after = _numbers(self._lab)
+        self.put(self.table, value=numbers_html(after, before))
+        self.put(self.said, value=compared_words(word, before, after))
 
     def _reversed(self) -> Design:
         return self._lab.design.with_(points=self._lab.design.points[::-1])
@@ -192,12 +192,15 @@ class ChangeControl(Group):
         mine = change.source == "change"
         self.put(self.error, value=error_html(plain(change.error or "")) if mine else "")
         if (change.scene or change.mark) and not mine:
-            self.put(self.table, value="")
+            self.put(self.table, value=numbers_html(_numbers(self._lab)))
+            self.put(self.said, value="")
 
 
 def _numbers(lab: Lab) -> dict[str, float]:
-    values = {SYMBOLS[name]: value for name, value in lab.mark.values.items()}
-    return values | {"h": float(screw(lab.result.surface, lab.cursor).pitch)}
+    now = screw(lab.result.surface, lab.cursor)
+    away = float(np.linalg.norm(now.point - lab.mark.striction))
+    more = {"pitch": float(now.pitch), "speed": float(now.angular_speed), "away": away}
+    return dict(lab.mark.values) | more
 
 
 class AlongTheRulings(LabApp):
@@ -205,17 +208,20 @@ class AlongTheRulings(LabApp):
 
     def __init__(self, lab: Lab) -> None:
         super().__init__(lab)
-        self.view, self.pad = SurfaceView(480, 400), DomainPad()
+        self.view, self.pad = SurfaceView(480, 470), DomainPad()
         self.plots = ArcPlots(("kappa_bar", "tau_bar", "sigma", "delta"))
         self.time, self.history = TimeControl(lab), HistoryControl(lab)
         self.gallery, self.points = GalleryControl(lab), PointControl(lab)
         self.axis, self.special = PlotControl(lab, self.plots), SpecialControl(lab)
-        self.changes = ChangeControl(lab)
-        self.screw, self.equations, self.words = w.HTML(), w.HTML(), w.HTML()
+        self.numbers = NumbersControl(lab)
+        self.home = w.Button(description="view", icon="home", layout=w.Layout(width="auto"))
+        self.home.tooltip = "look from the usual side, all of it in sight"
+        self.numbers.click(self.home, lambda: self.view.reset_view(lab.result.scene))
+        self.equations, self.words = w.HTML(), w.HTML()
         self._fixed, self._largest = Overlay(), 0.0
         self._views = [self.plots, self.view, self.pad]
         self._groups = [self.time, self.history, self.gallery, self.points]
-        self._groups += [self.axis, self.special, self.changes]
+        self._groups += [self.axis, self.special, self.numbers]
         self._releases += [
             connect(self.pad, self.points),
             self.plots.on_pick(self._picked),
@@ -223,18 +229,21 @@ class AlongTheRulings(LabApp):
         self.assemble(*self._rows())
 
     def _rows(self) -> tuple[Any, ...]:
-        head = w.Box([self.gallery.widget, self.history.widget, self.changes.bar])
-        left = [self.view.widget, self.time.widget, self.screw, self.special.widget]
-        pair = w.HBox([w.VBox(left), w.VBox([self.axis.widget, self.plots.widget])])
+        head = w.Box([self.gallery.widget, self.history.widget, self.home])
+        left = [self.view.widget, self.time.widget, self.numbers.widget]
+        right = [self.axis.widget, self.plots.widget, self.special.widget]
+        pair = w.HBox([w.VBox(left), w.VBox(right)])
         chart = w.HBox([self.pad, self.points.widget]).add_class("ruledlab-pair")
-        folded = w.Accordion([chart, self.words])
-        folded.titles = ("The chart: move the control points", "In words")
+        folded = w.Accordion([chart, self.words, self.gallery.note])
+        folded.titles = (
+            "The chart: move the control points",
+            "In words",
+            "What is known of this surface",
+        )
         return (
             head.add_class("ruledlab-head"),
-            self.changes.widget,
             pair.add_class("ruledlab-pair"),
             self.equations,
-            self.gallery.note,
             folded,
         )
 
@@ -273,7 +282,6 @@ class AlongTheRulings(LabApp):
                 (*self._fixed.labels, *moving.labels),
             )
         )
-        self.screw.value = screw_html(now, lab.mark.striction)
         self.equations.value = equations_html(frame_equations(surface, lab.cursor), self._largest)
         said = (lab.result.scene.text, lab.mark.text, screw_words(now))
         self.view.describe(" ".join(said))

@@ -5,7 +5,7 @@ Nothing is drawn here: strokes for the view in space, arrays for the plots, word
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -21,11 +21,11 @@ from ..overlay import Dot, Label, Overlay, Stroke
 __all__ = [
     "MOST",
     "Place",
-    "compared_html",
+    "compared_words",
     "equations_html",
     "found_words",
+    "numbers_html",
     "places",
-    "screw_html",
     "screw_strokes",
     "screw_words",
     "signed",
@@ -35,7 +35,12 @@ __all__ = [
 MOST: Final = 12
 """Special rulings that get a button each."""
 
+BESIDE: Final = 1e-4
+"""How far beside a ruling without a striction point one is looked for, in parts of the domain."""
+
 STYLE: Final = (
+    ".ruledlab .ruledlab-now td:nth-child(2){min-width:4.8em}"
+    ".ruledlab .ruledlab-now td:nth-child(4){min-width:6em;font-weight:600;padding-right:0}"
     ".ruledlab .ruledlab-sides{border-collapse:collapse;font-size:13px;color:inherit}"
     ".ruledlab .ruledlab-sides :is(th,td){text-align:left;white-space:nowrap;"
     "padding:1px 14px 1px 0;font-weight:normal}"
@@ -96,9 +101,21 @@ def found_words(found: SpecialRulings) -> str:
 
 def ruling_ends(design: Design, surface: RuledSurface, t: Array) -> Array:
     """Return (N, 2, 3) both ends of the drawn rulings at t."""
-    base = surface.striction(t) if design.base == "striction" else surface.foot(t)
+    base = _middle(surface, t) if design.base == "striction" else surface.foot(t)
     half = 0.5 * design.length * surface.line(t).direction
     return np.stack([base - half, base + half], axis=1)
+
+
+def _middle(surface: RuledSurface, t: Array) -> Array:
+    """Return (N, 3) the striction points; on a cylindrical ruling, the mean of those beside it."""
+    first, last = surface.domain
+    step = BESIDE * (last - first)
+    beside = surface.striction(np.clip(t + np.array([[-step], [step]]), first, last))
+    foot, x = surface.foot(t), surface.line(t).direction
+    along = ((beside.mean(axis=0) - foot) * x).sum(axis=-1, keepdims=True)
+    there = foot + np.where(np.isfinite(along), along, 0.0) * x
+    found = surface.striction(t)
+    return np.where(np.isfinite(found), found, there)
 
 
 def special_strokes(design: Design, surface: RuledSurface, single: tuple[Place, ...]) -> Overlay:
@@ -179,24 +196,39 @@ def screw_words(now: Screw) -> str:
     return f"The frame screws with pitch h = {signed(float(now.pitch))} about the dashed axis."
 
 
-def screw_html(now: Screw, striction: Array) -> str:
-    """Return the numbers of the frame's screw as a table."""
-    away = float(np.linalg.norm(now.point - striction))
-    rows = (
-        ("screw pitch", "h", float(now.pitch), "length per rad"),
-        ("angular speed", "√(κ² + τ²)", float(now.angular_speed), "rad per t"),
-        ("axis from striction point", "along x₂", away, "length"),
-    )
-    body = "".join(
-        f"<tr><td>{name} <i>{symbol}</i></td><td>{signed(value)}</td><td>{unit}</td></tr>"
-        for name, symbol, value, unit in rows
-    )
-    return f'<table class="ruledlab-numbers">{body}</table>'
+NUMBERS: Final = {
+    "kappa": ("curvature", "κ", "rad/t"),
+    "kappa_bar": ("its dual part", "κ̄", "length/t"),
+    "tau": ("torsion", "τ", "rad/t"),
+    "tau_bar": ("its dual part", "τ̄", "length/t"),
+    "sigma": ("striction", "σ", "rad"),
+    "delta": ("distribution parameter", "δ", "length"),
+    "pitch": ("screw pitch", "h", "length/rad"),
+    "speed": ("angular speed", "‖ω‖", "rad/t"),
+    "away": ("screw axis from", "m", "length"),
+}
+"""The numbers at the cursor: name, symbol, unit."""
 
 
-def compared_html(word: str, before: dict[str, float], after: dict[str, float]) -> str:
-    """Return the numbers of one ruling before and after; what changed is set in bold."""
-    old, new = ([signed(values[name]) for name in before] for values in (before, after))
-    marked = [b if a == b else f"<b>{b}</b>" for a, b in zip(old, new, strict=True)]
-    table = _table(("this ruling", *before), (("before", *old), (word, *marked)))
-    return f'<div role="status">{table}</div>'
+def numbers_html(now: Mapping[str, float], before: Mapping[str, float] | None = None) -> str:
+    """Return the numbers at the cursor as a table; with what they were, where they differ."""
+    before = now if before is None else before
+    body = ""
+    for name, (word, symbol, unit) in NUMBERS.items():
+        value, old = signed(now[name]), signed(before[name])
+        was = "" if old == value else f"was {old}"
+        body += (
+            f"<tr><td>{word} <i>{symbol}</i></td><td>{value}</td><td>{unit}</td><td>{was}</td></tr>"
+        )
+    return f'<style>{STYLE}</style><table class="ruledlab-numbers ruledlab-now">{body}</table>'
+
+
+def compared_words(word: str, before: Mapping[str, float], after: Mapping[str, float]) -> str:
+    """Say which numbers of a ruling a change of the surface has changed."""
+    changed = [
+        "the place of the axis" if key == "away" else symbol
+        for key, (_, symbol, _) in NUMBERS.items()
+        if signed(before[key]) != signed(after[key])
+    ]
+    listed = f"{', '.join(changed)} changed, nothing else" if changed else "nothing changed"
+    return f'<div class="ruledlab-note" role="status">{word}: {listed}.</div>'

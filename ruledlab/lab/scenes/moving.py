@@ -374,7 +374,7 @@ def words(result: Moved, pair: Near) -> str:
     how = f"Ruled surface ({title}), with its base curve dashed and its striction curve."
     lying = (
         f"At t = {pair.t:.3f} the ruling and its neighbour at t + {pair.h:.4g} enclose the angle "
-        f"{said(pair.angle)} and are {said(pair.distance)} apart: distance by angle is "
+        f"{said(pair.angle)} and are {said(pair.distance, 1e-12)} apart: distance by angle is "
         f"{said(pair.ratio)}, δ is {said(pair.delta)}. The foot of their common perpendicular is "
         f"{said(pair.off)} from the striction point, which lies at {said(pair.along)} along the "
         "ruling from the base curve."
@@ -382,12 +382,23 @@ def words(result: Moved, pair: Near) -> str:
     return " ".join([how, lying, *(f"{reason}." for reason in pair.reasons)])
 
 
-def said(value: float) -> str:
-    """Return a number for a reader, with six digits after the point; undefined is a dash."""
+def said(value: float, zero: float = 1e-9) -> str:
+    """Return a number for a reader; undefined is a dash.
+
+    Six digits after the point; small numbers as a multiple of a power of 10, so that their order
+    can be read; below ``zero`` it is rounding.
+    """
     if not math.isfinite(value):
         return "–"
-    text = f"{value:.6f}" if abs(value) < 1e5 else f"{value:.4g}"
+    if zero <= abs(value) < 1e-3:
+        digits, power = f"{value:.3e}".split("e")
+        text = f"{digits}·10{str(int(power)).translate(RAISED)}"
+    else:
+        text = f"{value:.6f}" if abs(value) < 1e5 else f"{value:.4g}"
     return text.replace("-0.000000", "0.000000").replace("-", "−")
+
+
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 # -- the state -------------------------------------------------------------------------------------
