@@ -15,11 +15,11 @@ pytest.importorskip("pythreejs")
 import ipywidgets
 
 from ruledlab.design import Design
-from ruledlab.exercises import find
-from ruledlab.geometry import gallery, tangent_planes
+from ruledlab.exercises import find, lesson
+from ruledlab.geometry import Bezier, RuledSurface, gallery, tangent_planes
 from ruledlab.lab import bending
 from ruledlab.lab.apps import example
-from ruledlab.lab.scenes.bend import FAN, bend, graph, in_space, words
+from ruledlab.lab.scenes.bend import FAN, GAP, HEAD, HIGH, bend, graph, in_space, words
 
 
 @pytest.fixture
@@ -78,13 +78,35 @@ def test_the_graph_is_a_picture_with_words():
     found = bend(gallery.surface("hyperboloid"), 0.3, 1.0, 2.0)
     picture = ET.fromstring(graph(found))
     assert picture.attrib["role"] == "img"
-    assert "θ is 45 degrees and K is −0.25" in picture.attrib["aria-label"]
+    assert "θ is 45 degrees, K is −0.25 and H is −0.1768" in picture.attrib["aria-label"]
     circles = picture.findall("circle")
-    assert len(circles) == 2
-    # θ = 45° stands a quarter, K = −1/4 a quarter of its panel from the top
+    assert len(circles) == 3
+    # θ = 45° stands a quarter, K = −1/4 a quarter of its panel from the top; H at its lowest here
+    mean = gallery.surface("hyperboloid").curvature(0.3, np.linspace(-1, 1, 2001)).mean
+    parts = 0.25, 0.25, 0.5 - 0.5 * float(mean[-1] / np.abs(mean).max())
     heights = [float(circle.attrib["cy"]) for circle in circles]
-    assert heights == pytest.approx([18 + 0.25 * 114, 132 + 34 + 18 + 0.25 * 114], abs=0.06)
+    tops = [HEAD + i * (HIGH + GAP) for i in range(3)]
+    wanted = [top + part * (HIGH - HEAD) for top, part in zip(tops, parts, strict=True)]
+    assert heights == pytest.approx(wanted, abs=0.06)
     assert {circle.attrib["cx"] for circle in circles} == {"426.0"}  # w = 1 is the right end
+
+
+def test_a_minimal_surface_has_a_level_graph_of_h():
+    picture = ET.fromstring(graph(bend(gallery.surface("right_helicoid"), 0.3, 0.4, 2.0)))
+    (line,) = picture.findall("path[@class='mean']")
+    middle = 2 * (HIGH + GAP) + 0.5 * (HEAD + HIGH)
+    heights = {float(pair.split()[1]) for pair in re.split("[ML]", line.attrib["d"])[1:]}
+    assert heights == {middle}
+
+
+def test_a_ruling_without_planes_has_no_curves_and_says_so(app):
+    app.gallery.menu.value = "example_1"
+    app.time.t.field.value = "0"  # a pole of the chart
+    picture = ET.fromstring(app.picture.value)
+    assert "no tangent planes" in "".join(picture.itertext())
+    assert "pole" in picture.attrib["aria-label"]
+    assert picture.findall("circle") == []
+    assert [path.attrib["d"] for path in picture.findall("path[@fill='none']")] == ["", "", ""]
 
 
 @pytest.mark.parametrize("delta", ["0.5", "-0.5", "0.01", "40"])
@@ -156,11 +178,12 @@ def test_the_read_outs_are_those_of_geometry(app):
 
 
 def test_a_pick_moves_t_and_w_and_is_one_step(app):
+    start = app.lab.cursor, app.spot.value.w
     app.view._listeners[0](0.2, 0.75)
     assert (app.lab.cursor, app.spot.value.w) == (0.2, 0.75)
     assert (app.time.t.field.value, app.place.w.field.value) == ("0.2", "0.75")
     app.history.undo.click()
-    assert (app.lab.cursor, app.spot.value.w) == (0.6, 0.4)
+    assert (app.lab.cursor, app.spot.value.w) == start
     app.history.redo.click()
     assert (app.lab.cursor, app.spot.value.w) == (0.2, 0.75)
 
@@ -259,6 +282,27 @@ def test_the_answers_hold_on_a_helicoid(seed):
     assert np.arccos(normals[0] @ normals[1]) == pytest.approx(planes.answer)
 
 
+@pytest.mark.parametrize("seed", ["a", "b", "c", "d", "e", "f"])
+def test_the_mean_curvature_by_hand_is_that_of_a_surface(seed):
+    """Along a parallel circle, with ū = p u and v̄ = r, all four invariants are constant."""
+    task = find("05.12").task(seed)
+    k, kb, tau, tb = (
+        float(re.search(rf"{name}=([-\d]+)", task.question)[1])
+        for name in (r"(?<!bar)\\kappa", r"bar\\kappa", r"(?<!bar)\\tau", r"bar\\tau")
+    )
+    w = float(re.search(r"w=(\d+)", task.question)[1])
+    speed, v = np.hypot(k, tau), np.arctan2(k, tau)
+    p, r = (
+        (kb * np.sin(v) + tb * np.cos(v)) / speed,
+        (kb * np.cos(v) - tb * np.sin(v)) / speed,
+    )
+    surface = RuledSurface(Bezier([(0, v), (speed, v)]), f"{float(p)!r}*u", repr(float(r)))
+    found = surface.invariants(0.5)
+    given = [float(getattr(found, n)) for n in ("kappa", "kappa_bar", "tau", "tau_bar")]
+    assert given == pytest.approx([k, kb, tau, tb])
+    assert surface.curvature(0.5, w).mean == pytest.approx(task.answer)
+
+
 def test_the_slip_that_is_printed_is_the_one_to_find():
     """h₁₁ of the right option, against finite differences of the patch; the other two fail."""
     surface, t, w, h = gallery.surface("example_1"), 0.5, 1.0, 1e-3
@@ -298,3 +342,12 @@ def test_two_threads_do_not_wait_for_each_other(app):
         thread.join(timeout=20)
     assert not any(thread.is_alive() for thread in threads)
     assert app.spot.value.t == app.lab.cursor
+
+
+@pytest.mark.parametrize("exercise", lesson("05"), ids=lambda exercise: exercise.key)
+def test_no_two_slips_of_a_task_are_the_same_answer(exercise):
+    """Each is recognised by its own name, whatever values a seed draws."""
+    for seed in map(str, range(40)):
+        task = exercise.task(seed)
+        for slip in getattr(task, "slips", ()):
+            assert task.judge(slip.example).slip == slip.name, seed

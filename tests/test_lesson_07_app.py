@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import xml.etree.ElementTree as ET
 from itertools import pairwise
 
 import numpy as np
@@ -15,10 +16,10 @@ pytest.importorskip("pythreejs")
 import ipywidgets
 
 from ruledlab.design import Design
-from ruledlab.exercises import find
+from ruledlab.exercises import find, lesson
 from ruledlab.exercises.core import made
 from ruledlab.geometry import Bezier, Congruence, RuledSurface, gallery
-from ruledlab.geometry.field import CHOICES
+from ruledlab.geometry.choices import CHOICES
 from ruledlab.lab import Lab, dual_part
 from ruledlab.lab.apps import example
 from ruledlab.lab.scene import build_scene
@@ -131,6 +132,91 @@ def test_a_loop_gets_its_tangents_and_the_reason():
     assert "does not close" in congruence.straightened_words(surface, after, how)
 
 
+def test_a_curve_on_the_equator_gets_tangents_because_no_vbar_will_do():
+    after, how = congruence.straightened(gallery.surface("right_helicoid"), "0.5*u")
+    assert "tangents" in how and "π/2" in how
+    assert np.abs(after.invariants(np.linspace(0, 1, 23)).kappa_bar).max() < 1e-8
+
+
+def test_a_first_value_that_is_not_kept_is_not_said_to_be():
+    after, how = congruence.straightened(gallery.surface("hyperboloid"), "0")
+    assert "begins with 0 and not 1" in how and "0 throughout" in how
+    assert "as before" not in how and "−0" not in how
+    assert np.abs(after.invariants(np.linspace(0, 1, 23)).kappa_bar).max() < 1e-8
+
+
+# -- the map of the chart --------------------------------------------------------------------------
+
+
+def map_of(key, count=5, design=None):
+    choice = next(choice for choice in CHOICES if choice.key == key)
+    design = (design or example("example_2")).with_(ubar=choice.ubar, vbar=choice.vbar)
+    chosen, scene = Congruence(choice.ubar, choice.vbar), scene_of(design)
+    found = congruence.lines(chosen, scene, count)
+    return chosen, found, ET.fromstring(congruence.chart_map(chosen, found, scene.chart))
+
+
+@pytest.mark.parametrize("key", ["waves", "linear_complex", "torus_normals", "paper"])
+def test_the_map_has_one_sign_for_each_line_in_the_colour_of_its_kind(key):
+    chosen, found, picture = map_of(key, 9)
+    u, v = (np.linspace(*ends, 9) for ends in found.ends)
+    divergence, kind = chosen.divergence(u[:, None], v), chosen.kind(u[:, None], v)
+    for name in congruence.LOOKS:
+        group = picture.find(f"g[@class='{name}']")
+        signs = "" if group is None else "".join(group.itertext())
+        there = divergence[kind == name]
+        zero = np.abs(there) < 1e-9
+        assert len(signs) == there.size
+        assert signs.count("+") == ((there > 0) & ~zero).sum()
+        assert signs.count("−") == ((there < 0) & ~zero).sum()
+        assert signs.count("0") == zero.sum()
+
+
+def test_the_map_stands_as_the_chart_does_and_is_told_in_words():
+    _, found, picture = map_of("paper")
+    assert "The divergence lies between" in picture.attrib["aria-label"]
+    assert "25 lines" in picture.attrib["aria-label"]
+    marks = [mark for group in picture.findall("g") for mark in group.findall("text")]
+    places = {(float(mark.attrib["x"]), float(mark.attrib["y"])) for mark in marks}
+    (loop,) = picture.findall("path[@stroke-width='2']")
+    points = [tuple(map(float, p.split())) for p in loop.attrib["d"][1:].split("L")]
+    assert points[0] == points[-1]  # the loop closes
+    xs, ys = zip(*points, strict=True)
+    left, right = min(x for x, _ in places), max(x for x, _ in places)
+    assert left < min(xs) < max(xs) < right
+    fraction = (points[0][0] - left) / (right - left)  # p₀ stands at u = π/8
+    assert fraction == pytest.approx(
+        (math.pi / 8 - found.ends[0, 0]) / np.ptp(found.ends[0]), abs=0.01
+    )
+    down = ys[len(ys) // 8] - ys[0]  # the first leg leads downwards, to greater v
+    assert down > 0
+
+
+def test_the_shade_of_normals_is_none():
+    _, _, picture = map_of("torus_normals")
+    assert picture.findall("path[@opacity='0.055']") == []
+    assert len(map_of("waves")[2].findall("path[@opacity='0.055']")) == congruence.SHADES
+
+
+@pytest.mark.parametrize("choice", CHOICES, ids=lambda choice: choice.key)
+def test_the_flux_through_the_loop_is_its_pitch(choice):
+    surface = example("example_2").with_(ubar=choice.ubar, vbar=choice.vbar).surface()
+    found = congruence.enclosure(surface)
+    assert found.flux == pytest.approx(surface.pitch(), abs=1e-8)
+    assert found.area == pytest.approx(0.1672475240, abs=1e-9)
+    assert found.reason == ""
+
+
+def test_a_loop_run_backwards_and_loops_that_enclose_nothing():
+    design = example("example_2")
+    back = congruence.enclosure(design.with_(points=design.points[::-1]).surface())
+    forth = congruence.enclosure(design.surface())
+    assert (back.area, back.flux) == pytest.approx((-forth.area, -forth.flux))
+    assert congruence.enclosure(ARC.surface()).reason == "no closed loop"
+    ring = congruence.enclosure(gallery.surface("hyperboloid"))
+    assert "pole" in ring.reason and math.isnan(ring.flux)
+
+
 # -- the app ---------------------------------------------------------------------------------------
 
 
@@ -180,6 +266,31 @@ def test_switches_take_away_and_bring_back(app):
     assert [stroke.name for stroke in app.view._overlay.strokes] == ["line"]
     app.control.grid.value, app.control.focal.value = True, False
     assert shown(app) == before
+
+
+def test_the_map_is_drawn_anew_only_when_it_changes(app, monkeypatch):
+    drawn = []
+    monkeypatch.setattr(
+        "ruledlab.lab.apps.lesson_07.chart_map", lambda *parts: drawn.append(1) or "<svg/>"
+    )
+    app.lab.move_cursor(0.3)
+    app.control.u.field.value = "1.2"
+    app.control.length.field.value = "3"
+    app.control.focal.value = True
+    assert drawn == []
+    app.control.lines.field.value = "9"
+    app.lab.edit("ubar", ubar="u - 2*v")
+    app.lab.undo()
+    assert len(drawn) == 3
+
+
+def test_area_flux_and_pitch_stand_in_the_table(app):
+    app.fields.pair.value = "linear_complex"
+    for number in ("0.167248", "−0.083624", "−0.500000"):
+        assert number in app.numbers.value
+    assert app.numbers.value.count("−0.083624") == 2  # flux and pitch
+    app.lab.load(example("hyperboloid"), "gallery")
+    assert app.numbers.value.count("goes round a pole") == 2
 
 
 def test_undo_redo_and_reset(app):
@@ -371,3 +482,26 @@ def test_07_8_notices_a_moved_loop():
     small = points[0] + 0.2 * (points - points[0])
     moved = task.model.with_(points=tuple(map(tuple, small.tolist())))
     assert "the loop on the sphere" in task.judge(moved).word
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_07_11_is_developable(seed):
+    task = find("07.11").task(seed)
+    rate = int(task.question.split("$u=")[1].split("t,")[0])
+    vbar = task.answer.replace("t)", "v)")
+    curve = Bezier([(0.5 * rate, 0.5), (2.0 * rate, 2.0)])
+    surface = RuledSurface(curve, "0.7", vbar)
+    found = surface.invariants(np.linspace(0, 1, 9))
+    assert np.abs(found.kappa_bar).max() < 1e-9 * np.abs(surface.vbar(0.0, 0.5))
+    assert float(surface.vbar(0.0, math.pi / 2)) == pytest.approx(
+        float(task.question.split(r"\bar v=")[1].split("$")[0])
+    )
+
+
+@pytest.mark.parametrize("exercise", lesson("07"), ids=lambda exercise: exercise.key)
+def test_no_two_slips_of_a_task_are_the_same_answer(exercise):
+    """Each is recognised by its own name, whatever values a seed draws."""
+    for seed in map(str, range(40)):
+        task = exercise.task(seed)
+        for slip in getattr(task, "slips", ()):
+            assert task.judge(slip.example).slip == slip.name, seed

@@ -56,11 +56,14 @@ def deepest(draw: Draw) -> Number:
                 r"The size is right. No ruled surface has $K>0$ anywhere: "
                 r"$h_{22}=0$ makes $K=-h_{12}^2/\det g$.",
             ),
-            known.mistaken_for(
-                "δ not squared",
-                -1 / abs(delta),
-                r"$1/\delta$ would be the unit of a curvature of a curve. $K$ is a product of two "
-                r"of those: $1/\delta^2$.",
+            *(
+                known.mistaken_for(
+                    "δ not squared",
+                    sign / delta,
+                    r"$1/\delta$ has the unit of the curvature of a curve, 1/length. $K$ is a "
+                    r"product of two of those: $-1/\delta^2$.",
+                )
+                for sign in (1, -1)
             ),
             known.mistaken_for(
                 "δ inverted",
@@ -101,6 +104,11 @@ def half_as_much(draw: Draw) -> Number:
                 r"$\delta^2+w^2=\sqrt2\,\delta^2$ is right; the $w^2$ in it is only $\sqrt2-1$ "
                 "of these.",
             ),
+            known.mistaken_for(
+                "last root forgotten",
+                HALF**2 * delta,
+                r"$\sqrt2-1$ is $w^2/\delta^2$; take the root once more.",
+            ),
         ),
         because=r"$\delta^2+w^2=\sqrt2\,\delta^2$.",
         hints=(
@@ -115,7 +123,8 @@ def half_as_much(draw: Draw) -> Number:
 
 def between_planes(draw: Draw) -> Number:
     """Ask how far the tangent plane turns between two points of a ruling."""
-    delta, factor = draw.one_of((0.5, 1.0, 2.0)), draw.one_of((1, 2, 3))
+    # not 2: arctan 1 + arctan ½ = arctan 3, and two slips would be one
+    delta, factor = draw.one_of((0.5, 1.0, 2.0)), draw.one_of((1, 3, 4))
     first, second = -delta, factor * delta
     value = math.pi / 4 + math.atan(factor)
     return Number(
@@ -145,6 +154,12 @@ def between_planes(draw: Draw) -> Number:
                 r"That is how far it turns from the striction point. It turns as far on the "
                 "other side.",
             ),
+            known.mistaken_for(
+                "sign of θ lost",
+                math.atan(factor) - math.pi / 4,
+                r"The two ends lie on different sides of the striction point: there $\theta$ has "
+                "different signs, and the two turns add up.",
+            ),
             known.degrees(value),
         ),
         hints=(
@@ -154,6 +169,66 @@ def between_planes(draw: Draw) -> Number:
         ),
         solution=rf"$\theta$ goes from $\arctan(-1)=-\tfrac\pi4$ to $\arctan{factor}$, which makes "
         rf"${value:.4f}$.",
+    )
+
+
+def mean_by_hand(draw: Draw) -> Number:
+    """Ask for H from the invariants."""
+    kappa, w, kappa_bar = draw.one_of(((2, 2, 3), (1, 4, 3), (3, 1, 4), (1, 3, 4)))
+    # of opposite signs, for else some of the slips below lead to the same number
+    tau, tau_bar = draw.one_of(((1, -1), (1, -2), (2, -1), (-1, 1), (-1, 2)))
+    side, size = w * kappa, 5
+    rest = side**2 * tau
+    h11 = (kappa_bar * (kappa * tau_bar - kappa_bar * tau) - rest) / size
+    printed = (kappa_bar * (tau_bar - tau) - rest) / size
+    twice = 2 * kappa * kappa_bar / size * tau_bar
+    value = (h11 - twice) / (2 * size**2)
+    return Number(
+        question=rf"At a certain ruling $\kappa={kappa},\ \bar\kappa={kappa_bar},\ \tau={tau},\ "
+        rf"\bar\tau={tau_bar}$ and $\kappa'=\bar\kappa'=0$. Compute the mean curvature $H$ at "
+        rf"$w={w}$ with pencil and paper.",
+        answer=value,
+        label="H =",
+        unit="1/length",
+        slips=(
+            known.mistaken_for(
+                "h₁₁ as printed",
+                (printed - twice) / (2 * size**2),
+                r"This follows from $h_{11}$ as the paper prints it. Its first bracket should be "
+                r"$\kappa\bar\tau+w\kappa'-\bar\kappa\tau$.",
+            ),
+            known.mistaken_for(
+                "g₁₂ forgotten",
+                h11 / (2 * size**2),
+                r"This is $h_{11}/(2W^2)$. The lines of the parameters are not perpendicular, "
+                r"$g_{12}=\bar\tau$: subtract $2h_{12}\bar\tau$.",
+            ),
+            known.mistaken_for(
+                "sign of 2h₁₂τ̄",
+                (h11 + twice) / (2 * size**2),
+                r"$2h_{12}\bar\tau$ was added. It is subtracted.",
+            ),
+            known.mistaken_for(
+                "sum for mean",
+                2 * value,
+                r"This is $k_1+k_2$. $H$ is the mean of the two: half of it.",
+            ),
+            known.mistaken_for(
+                "W for W²",
+                size * value,
+                r"Divide by $2W^2$, twice the determinant of the first form, not by $2W$.",
+            ),
+        ),
+        because=r"With $\kappa'=\bar\kappa'=0$ all of it is $H=-(\kappa\bar\kappa\bar\tau+\tau W^2)"
+        r"/(2W^3)$.",
+        hints=(
+            r"First $W=\sqrt{\bar\kappa^2+w^2\kappa^2}$: it is a whole number.",
+            r"Then $h_{12}=\kappa\bar\kappa/W$ and $h_{11}=\big(\bar\kappa(\kappa\bar\tau-"
+            r"\bar\kappa\tau)-w\kappa\cdot w\kappa\tau\big)/W$.",
+            rf"$W={size}$ and $h_{{11}}={h11:g}$; $H=(h_{{11}}-2h_{{12}}\bar\tau)/(2W^2)$.",
+        ),
+        solution=rf"$W={size}$, $h_{{12}}={kappa * kappa_bar / size:g}$, $h_{{11}}={h11:g}$, so "
+        rf"$H=({h11:g}-({twice:g}))/{2 * size**2}={value:.5g}$.",
     )
 
 
@@ -181,6 +256,13 @@ def by_the_turn(draw: Draw) -> Formula:
                 "sign of K",
                 "cos(a)**4/d**2",
                 "The size is right, and $K$ is never positive on a ruled surface.",
+                ("a", "d"),
+                ((-1.4, 1.4), (0.4, 2.0)),
+            ),
+            known.formula(
+                "sin for cos",
+                "-sin(a)**4/d**2",
+                r"At the striction point $a=0$, and there $|K|$ is greatest; this would be 0.",
                 ("a", "d"),
                 ((-1.4, 1.4), (0.4, 2.0)),
             ),
@@ -243,24 +325,25 @@ def torsal(draw: Draw) -> Choose:
     """Ask what happens along a torsal ruling."""
     options = (
         Option(
-            r"$K=0$ all along it; the tangent plane is the same in all its points but one, and "
-            "there is none in the striction point",
-            r"$h_{12}=0$, so $K=0$; and $\mathbf r_t\times\mathbf r_w=0$ where also $w=0$.",
+            r"$K=0$, and the tangent plane is one and the same, but for one point without any",
+            r"$h_{12}=0$, so $K=0$; and in the striction point $\mathbf r_t\times\mathbf r_w=0$.",
             right=True,
         ),
         Option(
-            r"$K\to-\infty$ all along it, because $K=-1/\delta^2$",
+            r"$K\to-\infty$, because $K=-1/\delta^2$: the surface is infinitely sharp there",
             r"$-1/\delta^2$ is $K$ in the striction point only. For any other $w$ the numerator "
             r"of $-\delta^2/(\delta^2+w^2)^2$ wins.",
             slip="K = −1/δ² everywhere",
         ),
         Option(
-            "the tangent plane turns by 180° in an instant and back",
-            r"It jumps from $\theta=-90°$ to $\theta=90°$: but that is one and the same plane.",
+            "the two ends of the ruling have different tangent planes, 180° apart",
+            r"$\theta$ jumps from $-90°$ to $90°$, but that is one and the same plane.",
+            slip="θ taken for the plane",
         ),
         Option(
-            r"$K=0$ and $H=0$: the surface is flat there like a plane",
+            r"$K=0$ and $H=0$: along it the surface is flat like a plane",
             r"$K=0$, but $h_{11}$ need not vanish: a cone has torsal rulings only and is no plane.",
+            slip="K = 0 taken for flat",
         ),
     )
     return Choose(
@@ -333,10 +416,16 @@ def in_python(draw: Draw) -> Code:
                 "This is the mean curvature, <code>.mean</code>. The Gauss curvature is "
                 "<code>.gauss</code>.",
             ),
+            known.mistaken_for(
+                "K = −1/δ² everywhere",
+                np.full(3, -1 / float(surface("example_2").invariants(t).delta) ** 2),
+                r"$-1/\delta^2$ is $K$ at $w=0$ only.",
+            ),
         ),
         hints=(
             'gallery.surface("example_2") is the surface.',
             "surface.curvature(t, w) has .gauss and .mean.",
+            f'gallery.surface("example_2").curvature({t:g}, w) is nearly all of it.',
         ),
         solution=f'<pre>value = gallery.surface("example_2").curvature({t:g}, w).gauss</pre>',
     )
@@ -379,6 +468,14 @@ def turning(draw: Draw) -> FindSlip:
             box=BOX,
             label="tan θ =",
             slips=(
+                known.formula(
+                    "tan θ = δ/w",
+                    "d/w",
+                    r"This is the line as it is printed. It has $\theta=90°$ at $w=0$, where "
+                    r"$\theta$ begins with 0.",
+                    ("w", "d"),
+                    BOX,
+                ),
                 known.formula(
                     "product for quotient",
                     "w*d",
@@ -528,5 +625,6 @@ EXERCISES = (
     Exercise("05.9", "Above or below", turning),
     Exercise("05.10", "Count the lengths", printed_form),
     Exercise("05.11", "Curvature to order", to_order),
+    Exercise("05.12", "Mean curvature by hand", mean_by_hand),
 )
 """The exercises in their order."""

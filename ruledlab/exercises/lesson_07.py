@@ -310,6 +310,12 @@ def complex_pitch(draw: Draw) -> Number:
                 2 * value,
                 r"Compute the divergence once more: $-p/\sin^2v+p\cot^2v=-p$.",
             ),
+            known.mistaken_for(
+                "divergence taken for pitch",
+                -parameter,
+                "This is the divergence in one point. The pitch is its sum over the region: "
+                "multiply by the area.",
+            ),
         ),
         because="The divergence is the same everywhere, so only the area counts, not the shape.",
         hints=(
@@ -435,6 +441,68 @@ def normals(draw: Draw) -> FindSlip:
     )
 
 
+# -- developable ----------------------------------------------------------------------------------
+
+
+def developable(draw: Draw) -> Formula:
+    """Ask for the v̄ that makes a surface developable."""
+    rate, first = draw.integer(2, 4), draw.integer(1, 4)
+    variables, box = ("t",), ((0.4, 2.4),)
+    power = f"{rate**2 / 2:g}"
+    slips = (
+        known.formula(
+            "sign of the exponent",
+            f"{first}*exp(-{rate**2}*cos(t)**2/2)",
+            r"Differentiate it: $\bar v'$ comes out with the other sign.",
+            variables,
+            box,
+        ),
+        known.formula(
+            "begun at t = 0",
+            f"{first}*exp(-{rate**2}*sin(t)**2/2)",
+            rf"This solves the equation, with $\bar v(0)={first}$. The value is given at "
+            r"$t=\tfrac\pi2$.",
+            variables,
+            box,
+        ),
+        known.formula(
+            "as along a meridian",
+            f"{first}",
+            r"A constant $\bar v$ is right along a meridian, $u'=0$. Here the lines turn about the "
+            "axis too.",
+            variables,
+            box,
+        ),
+        known.formula(
+            "u′ not squared",
+            f"{first}*exp({rate}*cos(t)**2/2)",
+            r"The middle term of the equation has $u'^2$, not $u'$.",
+            variables,
+            box,
+        ),
+    )
+    return Formula(
+        question=rf"The curve is $u={_times(rate)}t,\ v=t$, and $\bar u$ is constant. Which "
+        rf"$\bar v(t)$ makes the surface developable and has $\bar v={first}$ at $t=\tfrac\pi2$?",
+        answer=f"{first}*exp({rate**2}*cos(t)**2/2)",
+        variables=variables,
+        box=box,
+        label="v̄ =",
+        slips=slips,
+        because=r"The directions are the same for every $\bar v$; only where the lines hang has "
+        "changed.",
+        hints=(
+            r"$\kappa\bar\kappa=v'\bar v'+u'^2\sin v\cos v\;\bar v+u'\sin^2v\;\bar u'$ has to be "
+            "0 for all $t$.",
+            rf"Here $v'=1$, $u'={rate}$ and $\bar u'=0$. What is left gives $\bar v'/\bar v$.",
+            rf"$\bar v'/\bar v={-(rate**2)}\sin t\cos t$ is the derivative of "
+            rf"${power}\cos^2t$.",
+        ),
+        solution=rf"$\bar v'={-(rate**2)}\sin t\cos t\;\bar v$, so "
+        rf"$\bar v=C\,e^{{{power}\cos^2t}}$, and at $t=\tfrac\pi2$ the exponent is 0: $C={first}$.",
+    )
+
+
 # -- Python ----------------------------------------------------------------------------------------
 
 
@@ -513,5 +581,6 @@ EXERCISES = (
     Exercise("07.8", "Take the pitch away", no_pitch),
     Exercise("07.9", "A slip about normals", normals),
     Exercise("07.10", "The pitch of a rectangle", flux),
+    Exercise("07.11", "Make it developable", developable),
 )
 """The exercises in their order."""

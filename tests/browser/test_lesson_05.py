@@ -17,9 +17,9 @@ def test_the_plane_moves_and_an_exercise_is_answered(lab: LabSession) -> None:
         in_sight(page, THREE)
         space = page.wait_still(THREE, timeout=60)
         assert space.drawn > 2000
-        assert "At w = 0.4," in (page.locator(GRAPH).get_attribute("aria-label") or "")
+        assert "At w = −0.6," in (page.locator(GRAPH).get_attribute("aria-label") or "")
         page.press(page.page.get_by_role("slider", name=W), "ArrowRight", 10)
-        page.page.locator(f"{GRAPH}[aria-label*='At w = 0.5,']").wait_for()
+        page.page.locator(f"{GRAPH}[aria-label*='At w = −0.5,']").wait_for()
         assert page.wait_change(space, THREE) != space
         page.page.get_by_label("tangent planes along the ruling").check()
         page.screenshot("lesson-05")

@@ -21,6 +21,7 @@ def test_lesson_07_lives(lab: LabSession) -> None:
         pair.select_option("Touching a sphere anywhere")
         page.wait_change(space, THREE)
         page.page.get_by_text("the congruence is hyperbolic").first.wait_for()
+        page.page.locator("svg.ruledlab-map[aria-label*='49 hyperbolic']").first.wait_for()
         page.page.get_by_label("focal surfaces").first.check()
         page.press(page.page.get_by_role("slider", name="u of the place").first, "ArrowRight", 10)
         page.page.get_by_text("At u = 0.49,").first.wait_for()

@@ -6,7 +6,6 @@ the memory of all three, so that one undo serves them.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -24,7 +23,7 @@ from .studio import example
 __all__ = ["Bending", "bending"]
 
 
-def bending(design: Design | None = None, w: float = 0.4) -> Bending:
+def bending(design: Design | None = None, w: float = -0.6) -> Bending:
     """Return the app of lesson 05: tangent plane, asymptotic directions and curvature at a point.
 
     Parameters
@@ -35,7 +34,7 @@ def bending(design: Design | None = None, w: float = 0.4) -> Bending:
         the place along the ruling, from the striction point.
     """
     start = (design or example("right_helicoid")).with_(base="striction")
-    return Bending(Lab(start, 0.6), w)
+    return Bending(Lab(start, 0.68), w)  # where the plane is seen from its side and not on edge
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,12 +111,16 @@ class Bending(LabApp):
         self.legend, self.picture, self.curved, self.forms = (w.HTML() for _ in range(4))
         head = [self.gallery.widget, self.history.widget, self.place.colour, self.legend]
         under = w.HBox([self.place.fan, self.place.home]).add_class("ruledlab-bar")
-        left = w.VBox([self.view.widget, self.time.widget, self.place.w.widget, under])
-        right = w.VBox([self.picture, self.curved, self.forms])
+        moved = [self.time.widget, self.place.w.widget, under]
+        parts = [
+            w.VBox([self.view.widget, *moved]),
+            w.VBox([self.picture, self.curved]),
+            self.forms,
+        ]
         return (
             w.HTML(STYLE),
             w.Box(head).add_class("ruledlab-bar"),
-            w.HBox([left, right]).add_class("ruledlab-pair").add_class("ruledlab-bends"),
+            w.Box(parts).add_class("ruledlab-bends"),
             self.gallery.note,
         )
 
@@ -157,8 +160,7 @@ class Bending(LabApp):
         size = 0.3 * result.scene.radius
         self.view.overlay(in_space(self._good[1], now, size, self.place.fan.value))
         self.view.describe(words(spot.t, now))
-        if math.isfinite(now.delta):
-            self.picture.value = graph(now)
+        self.picture.value = graph(now)
         self.curved.value, self.forms.value = curvatures(now), forms(now)
         self.place.w.show(spot.w)
         self.place.w.say(f"No tangent plane here: {now.reason}." if now.reason else None)

@@ -26,14 +26,20 @@ from ..controls import (
 )
 from ..overlay import Overlay, Sheet
 from ..pad import DomainPad
-from ..palette import DARK, LIGHT, Theme
+from ..palette import DARK, LIGHT
 from ..scenes.congruence import (
-    LOOKS,
+    MAP_NOTE,
+    STYLE,
+    Enclosure,
     Lines,
     Place,
+    chart_map,
     counts_words,
+    enclosure,
     highlighted,
+    legend_html,
     lines,
+    numbers_html,
     place,
     place_words,
     sight,
@@ -146,6 +152,7 @@ class CongruenceApp(LabApp):
 
     def __init__(self, lab: Lab) -> None:
         self._lines: Lines | None = None
+        self._loop, self._mapped = Enclosure(), ()
         self._strip: tuple[Sheet, ...] = ()
         self._theme = LIGHT
         self.control = CongruenceControl(lab, self._redraw)
@@ -153,7 +160,7 @@ class CongruenceApp(LabApp):
         self.pad, self.view = DomainPad(), SurfaceView(620, 430)
         self.points, self.fields, self.time = PointControl(lab), FieldControl(lab), TimeControl(lab)
         self.history = HistoryControl(lab)
-        self.legend, self.words, self.numbers, self.said = (w.HTML() for _ in range(4))
+        self.legend, self.words, self.numbers, self.said, self.map = (w.HTML() for _ in range(5))
         self._views = [self.view, self.pad]
         self._groups = [self.control, self.points, self.fields, self.time, self.history]
         self._releases += [
@@ -173,7 +180,9 @@ class CongruenceApp(LabApp):
         )
         hand = w.VBox([self.pad]).add_class("ruledlab-hand")
         develop = w.VBox([control.develop, self.said])
-        edit = w.VBox([self.fields.widget, develop, folded]).add_class("ruledlab-edit")
+        mapped = w.VBox([self.map, w.HTML(MAP_NOTE)])
+        parts = [self.fields.widget, develop, folded, mapped, w.HTML(STYLE)]
+        edit = w.VBox(parts).add_class("ruledlab-edit")
         sliders = (self.time, control.u, control.v, control.lines, control.length)
         shown = [self.view.widget, self.legend, *(slider.widget for slider in sliders)]
         right = w.VBox([*shown, self.words, self.numbers]).add_class("ruledlab-right")
@@ -207,6 +216,7 @@ class CongruenceApp(LabApp):
         congruence = Congruence(design.ubar, design.vbar)
         if self._lines is None or sum(self._lines.counts.values()) != control.count**2:
             self._lines = lines(congruence, scene, control.count)
+            self._draw_map(congruence)
         at = place(congruence, *control.at)
         over, found = highlighted(at, scene), self._lines
         grid = found.strokes if control.grid.value else ()
@@ -220,15 +230,24 @@ class CongruenceApp(LabApp):
         control.show()
         self._say(at)
 
+    def _draw_map(self, congruence: Congruence) -> None:
+        """Draw the grid over the chart, and find what the loop encloses, if that has changed."""
+        design, result = self.lab.design, self.lab.result
+        shown = (design.points, design.ubar, design.vbar, self.control.count)
+        if shown != self._mapped:
+            self._mapped = shown
+            self._loop = enclosure(result.surface)
+            self.map.value = chart_map(congruence, self._lines, result.scene.chart)
+
     def _say(self, at: Place) -> None:
-        lab, counts = self.lab, counts_words(self._lines.counts if self._lines else {})
-        sentence = place_words(at)
-        self.view.describe(f"{lab.result.scene.text} {counts}. {sentence}")
-        self.legend.value = _legend_html(counts, self._lines.counts, self._theme)
+        lab, kinds, sentence = self.lab, self._lines.counts, place_words(at)
+        self.view.describe(f"{lab.result.scene.text} {counts_words(kinds)}. {sentence}")
+        self.legend.value = legend_html(kinds, self._theme)
         self.words.value = f"<div>{html.escape(sentence)}</div>"
         delta = lab.mark.values["delta"] if self.control.free is None else math.nan
         pitch = lab.result.pitch
-        self.numbers.value = _numbers_html(at, delta, None if pitch is None else float(pitch.dual))
+        length = math.nan if pitch is None else float(pitch.dual)
+        self.numbers.value = numbers_html(at, delta, length, self._loop)
 
     def _develop(self) -> None:
         """Show a developable surface over the same curve until something changes."""
@@ -247,46 +266,3 @@ class CongruenceApp(LabApp):
 def _focal_sheets(focal: tuple[Array, Array]) -> tuple[Sheet, ...]:
     names = ("first focal surface", "second focal surface")
     return tuple(Sheet(p, "kappa", 0.3, name) for p, name in zip(focal, names, strict=True))
-
-
-def _legend_html(counts: str, kinds: dict[str, int], theme: Theme) -> str:
-    styles = {"elliptic": "dashed"}
-    swatches = " ".join(
-        f'<span style="border-top:3px {styles.get(kind, "solid")} {getattr(theme, look)};'
-        f'display:inline-block;width:22px;margin:0 4px 3px 8px"></span>{kind}'
-        for kind, look in LOOKS.items()
-        if kinds[kind]
-    )
-    return f'<div class="ruledlab-note">{counts}. {swatches}</div>'
-
-
-def _numbers_html(at: Place, delta: float, pitch: float | None) -> str:
-    rows = (
-        ("focal points", "w₁, w₂", _pair(at.w, at.kind), "length, from the foot point"),
-        ("divergence", "", _number(at.divergence), "length"),
-        (
-            "range of δ here",
-            "",
-            _pair(at.parameters, ""),
-            "length, over all directions",
-        ),
-        ("δ along this curve", "δ", _number(delta), "length"),
-        ("pitch of the loop", "l", "–" if pitch is None else _number(pitch), "length"),
-    )
-    body = "".join(
-        f"<tr><td>{name} <i>{symbol}</i></td><td>{value}</td><td>{unit}</td></tr>"
-        for name, symbol, value, unit in rows
-    )
-    return f'<table class="ruledlab-numbers">{body}</table>'
-
-
-def _pair(values: Array, kind: str) -> str:
-    if kind == "elliptic":
-        return "none real"
-    return ", ".join(_number(float(value)) for value in values)
-
-
-def _number(value: float) -> str:
-    if math.isnan(value):
-        return "–"
-    return f"{value if abs(value) > 5e-7 else 0.0:.6f}".replace("-", "−")

@@ -106,9 +106,10 @@ def _plane(p: Array, x: Array, n: Array, size: float, colour: str, name: str) ->
     return Sheet(np.array(corners), colour, 0.5, name)
 
 
-WIDE, HIGH, LEFT, GAP = 440, 132, 58, 34
-_COLOURS: Final = {"turn": "delta", "gauss": "kappa", "now": "cursor"}
+WIDE, HIGH, LEFT, GAP, HEAD = 440, 112, 58, 30, 18
+"""Width, height of a panel with its heading, room at the left, between panels, of a heading."""
 
+_COLOURS: Final = {"turn": "delta", "gauss": "kappa", "mean": "tau", "now": "cursor"}
 
 DARK_PAGE: Final = 'body[data-jp-theme-light="false"] '
 
@@ -124,43 +125,66 @@ STYLE: Final = (
     "<style>.ruledlab-bend{display:block;width:100%;max-width:520px;font-size:12px;"
     "color:var(--jp-ui-font-color1,#1f2328)}.ruledlab-bend text{fill:currentColor}"
     f"{_rules(LIGHT)}{_rules(DARK, DARK_PAGE)}"
-    ".ruledlab .ruledlab-bends>:first-child{flex-grow:1.6}"
+    ".ruledlab .ruledlab-bends{display:grid;gap:0 14px;align-items:start;"
+    "grid-template:'look graph' auto 'forms graph' 1fr/minmax(0,6fr) minmax(0,5fr)}"
+    ".ruledlab-bends>:nth-child(1){grid-area:look}.ruledlab-bends>:nth-child(2){grid-area:graph}"
+    ".ruledlab-bends>:nth-child(3){grid-area:forms}"
+    "@container (max-width:760px){.ruledlab .ruledlab-bends{"
+    "grid-template:'look' auto 'graph' auto 'forms' auto/minmax(0,1fr)}}"
     ".ruledlab .ruledlab-bends .ruledlab-numbers td:first-child{width:13.5em}</style>"
 )
-"""The colours of `graph` on a light and on a dark page."""
+"""Where the parts stand, and the colours of `graph` on a light and on a dark page."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Panel:
+    """One curve over w: its name in the style, heading, heights, marks at the axis and its ends."""
+
+    kind: str
+    title: str
+    y: Array
+    marks: tuple[str, str, str]
+    low: float
+    high: float
 
 
 def graph(found: Bend) -> str:
-    """Return θ and K along the ruling as an SVG picture, with the present w marked."""
-    part, planes = found.graph, found.planes
-    places, half = found.w[part], found.half
-    depth = _depth(planes.gauss[part])
-    turn = _panel(
-        0, "turn", "θ, turn of the tangent plane", places / half,
-        np.degrees(planes.turn[part]) / 90.0, ("90°", "0", "−90°"), (-1.0, 1.0),
+    """Return θ, K and H along the ruling as an SVG picture, with the present w marked."""
+    planes, part = found.planes, found.graph
+    deep, wide = _size(planes.gauss[part]), _size(planes.mean[part])
+    panels = (
+        _Panel("turn", "θ, turn of the tangent plane", np.degrees(planes.turn),
+               ("90°", "0", "−90°"), -90.0, 90.0),
+        _Panel("gauss", "K, Gauss curvature", planes.gauss, ("0", "", _said(-deep)), -deep, 0.0),
+        _Panel("mean", "H, mean curvature", planes.mean,
+               (_said(wide), "0", _said(-wide)), -wide, wide),
     )  # fmt: skip
-    gauss = _panel(
-        HIGH + GAP, "gauss", "K, Gauss curvature", places / half, planes.gauss[part] / depth,
-        ("0", "", _said(-depth)), (-1.0, 0.0),
-    )  # fmt: skip
-    w, now = found.w[0] / half, ""
-    if not found.reason:
-        turned, bent = np.degrees(planes.turn[0]) / 90.0, planes.gauss[0] / depth
-        now = _spot(w, turned, 0, (-1.0, 1.0)) + _spot(w, bent, HIGH + GAP, (-1.0, 0.0))
-    x, low = _across(w), 2 * HIGH + GAP
-    line = f'<path class="now" d="M{x:.1f} 18V{low}" stroke="currentColor" stroke-dasharray="3 3"/>'
+    tops = [i * (HIGH + GAP) for i in range(len(panels))]
+    drawn = "".join(_drawn(panel, top, found) for panel, top in zip(panels, tops, strict=True))
+    x, low = _across(found.w[0] / found.half), tops[-1] + HIGH
+    line = (
+        f'<path class="now" d="M{x:.1f} {HEAD}V{low}" stroke="currentColor" '
+        'stroke-dasharray="3 3"/>'
+    )
     label = html.escape(_graph_words(found), quote=True)
     return (
         f'<svg class="ruledlab-bend" viewBox="0 0 {WIDE} {low + 34}" role="img" '
-        f'aria-label="{label}">{turn}{gauss}{line}{now}{_ticks(found, low)}</svg>'
+        f'aria-label="{label}">{line}{drawn}{_ticks(found, low)}{_empty(found, low)}</svg>'
     )
 
 
-def _depth(gauss: Array) -> float:
-    """Return how far down the axis of K goes."""
-    known = gauss[np.isfinite(gauss)]
-    deepest = float(-known.min(initial=0.0))
-    return deepest if deepest > 1e-9 else 1.0
+def _empty(found: Bend, low: float) -> str:
+    """Return what stands in the middle of a picture without curves."""
+    if math.isfinite(found.delta):
+        return ""
+    x, y = 0.5 * (LEFT + WIDE - 14), 0.5 * low
+    return f'<text x="{x}" y="{y}" text-anchor="middle">no tangent planes on this ruling</text>'
+
+
+def _size(values: Array) -> float:
+    """Return how far an axis goes; rounding errors are not blown up."""
+    largest = float(np.abs(values[np.isfinite(values)]).max(initial=0.0))
+    return largest if largest > 1e-9 else 1.0
 
 
 def _across(w: float) -> float:
@@ -168,48 +192,47 @@ def _across(w: float) -> float:
     return LEFT + 0.5 * (w + 1.0) * (WIDE - LEFT - 14)
 
 
-def _down(y: float, top: float, span: tuple[float, float]) -> float:
+def _down(panel: _Panel, y: float, top: float) -> float:
     """Return where a height stands in the panel that begins at ``top``."""
-    return top + 18 + (span[1] - y) / (span[1] - span[0]) * (HIGH - 18)
+    return top + HEAD + (panel.high - y) / (panel.high - panel.low) * (HIGH - HEAD)
 
 
-def _panel(
-    top: float,
-    kind: str,
-    title: str,
-    w: Array,
-    y: Array,
-    marks: Sequence[str],
-    span: tuple[float, float],
-) -> str:
-    heights = [top + 18, top + 18 + 0.5 * (HIGH - 18), top + HIGH]
+def _drawn(panel: _Panel, top: float, found: Bend) -> str:
+    heights = [top + HEAD, top + 0.5 * (HEAD + HIGH), top + HIGH]
     rules = "".join(
         f'<path d="M{LEFT} {height}H{WIDE - 14}" stroke="currentColor" opacity="0.3"/>'
         f'<text x="{LEFT - 6}" y="{height + 4}" text-anchor="end">{mark}</text>'
-        for height, mark in zip(heights, marks, strict=True)
+        for height, mark in zip(heights, panel.marks, strict=True)
         if mark
     )
     return (
-        f'{rules}<text class="{kind}" x="{LEFT}" y="{top + 11}" font-weight="600">{title}</text>'
-        f'<path class="{kind}" d="{_path(w, y, top, span)}" fill="none" stroke="currentColor" '
-        'stroke-width="2.5" stroke-linejoin="round"/>'
+        f'{rules}<text class="{panel.kind}" x="{LEFT}" y="{top + 11}" font-weight="600">'
+        f'{panel.title}</text><path class="{panel.kind}" d="{_path(panel, top, found)}" '
+        'fill="none" stroke="currentColor" stroke-width="2.5" stroke-linejoin="round"/>'
+        f"{_spot(panel, top, found)}"
     )
 
 
-def _path(w: Array, y: Array, top: float, span: tuple[float, float]) -> str:
+def _path(panel: _Panel, top: float, found: Bend) -> str:
     """Return a curve as the data of a path, with a gap where a height is undefined."""
     pen, parts = "M", []
-    for place, height in zip(w, y, strict=True):
-        if not math.isfinite(height):
+    for w, y in zip(found.w[found.graph] / found.half, panel.y[found.graph], strict=True):
+        if not math.isfinite(y):
             pen = "M"
             continue
-        parts.append(f"{pen}{_across(place):.1f} {_down(height, top, span):.1f}")
+        parts.append(f"{pen}{_across(w):.1f} {_down(panel, y, top):.1f}")
         pen = "L"
     return "".join(parts)
 
 
-def _spot(w: float, y: float, top: float, span: tuple[float, float]) -> str:
-    x, height = _across(w), _down(y, top, span)
+def _spot(panel: _Panel, top: float, found: Bend) -> str:
+    """Return the point of the present w, where there is one."""
+    y = float(panel.y[0])
+    if found.reason or not math.isfinite(y):
+        return ""
+    # between two places of the graph a curve may be a little higher than what is drawn of it
+    height = _down(panel, min(max(y, panel.low), panel.high), top)
+    x = _across(found.w[0] / found.half)
     return f'<circle class="now" cx="{x:.1f}" cy="{height:.1f}" r="5" fill="currentColor"/>'
 
 
@@ -219,7 +242,7 @@ def _ticks(found: Bend, low: float) -> str:
     if 0.12 * half < delta < 0.88 * half:
         said += [(-delta, "−|δ|"), (delta, "|δ|")]
     marks = "".join(
-        f'<path d="M{_across(w / half):.1f} 18V{low}" stroke="currentColor" opacity="0.18"/>'
+        f'<path d="M{_across(w / half):.1f} {HEAD}V{low}" stroke="currentColor" opacity="0.18"/>'
         f'<text x="{_across(w / half):.1f}" y="{low + 16}" text-anchor="middle">{text}</text>'
         for w, text in said
     )
@@ -227,18 +250,21 @@ def _ticks(found: Bend, low: float) -> str:
 
 
 def _graph_words(found: Bend) -> str:
+    if not math.isfinite(found.delta):
+        return f"Along this ruling there are no tangent planes: {found.reason}."
     if abs(found.delta) < 1e-9:
         return (
             "Along this torsal ruling, δ = 0, the tangent plane does not turn and K is 0; at w = 0 "
-            "there is no tangent plane."
+            f"there is no tangent plane. At w = {_said(found.w[0])} H is "
+            f"{_said(found.planes.mean[0])}."
         )
     end = math.degrees(float(found.planes.turn[-1]))
     return (
         f"Along the ruling θ goes from {_said(-end)} to {_said(end)} degrees and is 0 at w = 0; "
         f"K is {_said(-1 / found.delta**2)} at w = 0 and comes nearer to 0 on both sides. "
         f"At w = {_said(found.w[0])}, θ is "
-        f"{_said(math.degrees(found.planes.turn[0]))} degrees and K is "
-        f"{_said(found.planes.gauss[0])}."
+        f"{_said(math.degrees(found.planes.turn[0]))} degrees, K is "
+        f"{_said(found.planes.gauss[0])} and H is {_said(found.planes.mean[0])}."
     )
 
 
