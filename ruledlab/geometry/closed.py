@@ -15,7 +15,7 @@ import numpy as np
 
 from .checks import CLOSING, FLAT, Array, GeometryError, frozen
 from .dual import Dual
-from .jet import Jet, cross, dot, measure
+from .jet import Jet, cross, dot, measure, striction
 from .line import Line, dual_angle
 from .quadrature import integrate, sign_changes
 
@@ -136,47 +136,68 @@ def _open_reason(first: Array, last: Array) -> str:
 def pitch(moving: MovingLine) -> float:
     """Return l = −∮⟨c′, x⟩ dt (paper, (10)), where ⟨c′, x⟩ = ⟨x × x′, x̄⟩."""
     _require_closed(moving, "pitch")
-    return -float(_integral(moving, _advance, "the pitch", 1)[0])
+    return -float(_integral(moving, along, "the pitch", 1))
 
 
 def angle_of_pitch(moving: MovingLine) -> float:
     """Return λ = −∮τ dt (paper, (25); the sign of (11) is a slip)."""
     _require_closed(moving, "angle of pitch")
-    return -float(_integral(moving, _tau, "the angle of pitch", 2)[0])
+    return -float(_integral(moving, _tau, "the angle of pitch", 2))
 
 
 def dual_angle_of_pitch(moving: MovingLine) -> Dual:
     """Return Λ = λ + ε l, both from one integration."""
     _require_closed(moving, "dual angle of pitch")
-    both = _integral(moving, lambda j: np.stack([_tau(j)[0], _advance(j)[0]]), "Λ", 2)
+    both = _integral(moving, lambda j: np.stack([_tau(j), along(j)]), "Λ", 2)
     return Dual(-float(both[0]), -float(both[1]))
 
 
 def arc_lengths(moving: MovingLine) -> ArcLengths:
-    """Return the integral invariants; the pieces between zeros of τ are integrated one by one."""
+    """Return the integral invariants; the pieces between zeros of τ are integrated one by one.
+
+    A striction point that jumps along the ruling, as at an edge of ū or v̄, is refused.
+    """
     start, end = moving.domain
     with np.errstate(all="ignore"):
         breaks = sign_changes(lambda t: _sense(measure(moving.jet(t))[0]), start, end)
         pieces = [
-            integrate(lambda t: _lengths(measure(moving.jet(t))[0]), a, b, "an arc length")
+            integrate(lambda t: _lengths(moving.jet(t)), a, b, "an arc length")
             for a, b in pairwise([start, *breaks.tolist(), end])
         ]
-    kappa, kappa_bar, tau, tau_bar, striction, x3, x3_bar = np.sum(pieces, axis=0)
+    kappa, kappa_bar, tau, tau_bar, length, x3, x3_bar, advance = np.sum(pieces, axis=0)
+    require_steady(moving, tau_bar - advance, length, "an arc length")
     return ArcLengths(
         float(kappa),
         float(kappa_bar),
         float(tau),
         float(tau_bar),
         Dual(float(x3), float(x3_bar)),
-        float(striction),
+        float(length),
     )
 
 
-def _lengths(values: Array) -> Array:
+def _lengths(jet: Jet) -> Array:
+    values = measure(jet)[0]
     kappa, kappa_bar, tau, tau_bar = values[:4]
     speed = np.hypot(kappa_bar, tau_bar)
     sense = _sense(values)
-    return np.stack([kappa, kappa_bar, tau, tau_bar, speed, sense * tau, sense * tau_bar])
+    rows = [kappa, kappa_bar, tau, tau_bar, speed, sense * tau, sense * tau_bar, along(jet)]
+    return np.stack(rows)
+
+
+def require_steady(moving: MovingLine, drift: float, length: float, what: str) -> None:
+    """Refuse a striction point that jumps along the ruling: ∫τ̄ dt knows nothing of the jumps.
+
+    τ̄ = ⟨c′, x⟩ + μ′ with m = c + μ x, so without a jump the drift ∫(τ̄ − ⟨c′, x⟩) dt is what μ has
+    gained, to rounding of the length of the striction curve.
+    """
+    jet = moving.jet(np.array(moving.domain))
+    gained = np.diff(dot(jet.direction[0], striction(jet)))[0]
+    if abs(drift - gained) > CLOSING * max(1.0, length):
+        raise GeometryError(
+            f"{what} does not converge: the striction point jumps along the ruling, as where ū or "
+            "v̄ has an edge; choose ū, v̄ that are smooth along the curve"
+        )
 
 
 def _sense(values: Array) -> Array:
@@ -185,14 +206,14 @@ def _sense(values: Array) -> Array:
     return np.asarray(np.where(np.abs(tau) <= FLAT * kappa, 0.0, np.sign(tau)))
 
 
-def _advance(jet: Jet) -> Array:
-    x, y = jet.direction, jet.moment
-    return dot(cross(x[0], x[1]), y[0])[np.newaxis]
+def along(jet: Jet) -> Array:
+    """Return ⟨c′, x⟩ = ⟨x × x′, x̄⟩, how fast the foot point runs along the ruling."""
+    return dot(cross(jet.direction[0], jet.direction[1]), jet.moment[0])
 
 
 def _tau(jet: Jet) -> Array:
     x = jet.direction
-    return (dot(cross(x[0], x[1]), x[2]) / dot(x[1], x[1]))[np.newaxis]
+    return np.asarray(dot(cross(x[0], x[1]), x[2]) / dot(x[1], x[1]))
 
 
 def _integral(

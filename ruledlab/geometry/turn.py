@@ -17,10 +17,10 @@ from . import closed
 from .checks import CLOSING, Array, GeometryError, finite_array, frozen
 from .congruence import Congruence
 from .dual import Dual
-from .jet import Jet, cross, dot, measure
+from .jet import Jet, measure
 from .line import Line
 from .motion import dual_frame
-from .quadrature import Primitive, integrate
+from .quadrature import Primitive, edges, estimate, integrals, integrate
 from .series import Series
 from .surface import RuledSurface
 
@@ -40,7 +40,11 @@ __all__ = [
 SAMPLES = 257
 """Places of t at which a path is drawn if none are asked for."""
 
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(40)
+STRIPS = 8
+"""Panels of t to begin with, where strips of the enclosed region are added up."""
+
+GIVEN_UP = 1e-3
+"""A flux of which less is certain counts as none."""
 
 
 # -- what returns with a gap -----------------------------------------------------------------------
@@ -99,8 +103,7 @@ def trajectory(
 def _advance(surface: RuledSurface, t: Array) -> Array:
     """Return ⟨c′, x⟩ = ⟨x × x′, x̄⟩."""
     with np.errstate(all="ignore"):
-        jet = surface.jet(t, 1)
-        return dot(cross(jet.direction[0], jet.direction[1]), jet.moment[0])
+        return closed.along(surface.jet(t, 1))
 
 
 def _shift(surface: RuledSurface, t: Array) -> Array:
@@ -182,6 +185,10 @@ class Enclosed:
         curve and the equator v = π/2.
     border
         ∫ sin v (ū dv − v̄ du) along the outline's way back; 0 without winding.
+    off
+        how far off ``flux`` may be. Below 1e-9 unless the divergence is so rough within the region
+        that its integral was given up before: an edge of ū, v̄ that crosses the curve is no
+        obstacle, one that lies across it like a ring, or a root, may be.
     outline
         (N, 2) the region's border in the chart: the curve, and with winding the way back along a
         meridian, the equator and a meridian.
@@ -195,6 +202,7 @@ class Enclosed:
     corner: float
     winding: int
     border: float
+    off: float
     outline: Array
 
     @property
@@ -211,9 +219,9 @@ class Enclosed:
 def enclosed(surface: RuledSurface) -> Enclosed:
     """Return the enclosed region of a closed surface from the chart, with ∮τ and ∮τ̄ beside it.
 
-    Double integrals are taken over the region itself: for each t along the meridian from the
-    region's base, v = v(0) or the equator, to the curve. So the divergence of ū, v̄ must exist
-    between base and curve.
+    The flux is a double integral over the region itself: for each t along the meridian from the
+    region's base, v = v(0) or the equator, to the curve. So the divergence of ū, v̄ must have an
+    integral between base and curve.
 
     Raises
     ------
@@ -226,43 +234,72 @@ def enclosed(surface: RuledSurface) -> Enclosed:
     ends = curve.series(np.array(surface.domain), 0).value
     winding = round(float(ends[0, 1] - ends[0, 0]) / (2.0 * math.pi))
     base = math.pi / 2 if winding else float(ends[1, 0])
-    area, flux, turned = integrate(
-        lambda t: _strips(surface, t, base), *surface.domain, "the enclosed area or flux"
+    area, turned = integrate(
+        lambda t: _zones(surface, t, base), *surface.domain, "the enclosed area"
     )
+    flux, off = _flux(surface, base)
     jump = _corner(surface)
     return Enclosed(
         -float(total.real),
         -float(total.dual),
         float(area),
-        float(flux),
+        flux,
         round((float(turned) + jump) / (2.0 * math.pi)),
         0.0 - jump,
         winding,
         _border(surface, ends, base) if winding else 0.0,
+        off,
         _outline(surface, ends, base, winding),
     )
 
 
-def _strips(surface: RuledSurface, t: Array, base: float) -> Array:
-    """Return, per unit of t, the strip's area and flux, and the turning ψ′ of the tangent.
+def _zones(surface: RuledSurface, t: Array, base: float) -> Array:
+    """Return, per unit of t, the area between base and curve, and the turning ψ′ of the tangent.
 
-    ψ is the angle of the tangent in the frame of parallel and meridian, (u′ sin v, v′).
+    The zone between two parallels has, per unit of u, the area |cos v₁ − cos v₂| (Archimedes). ψ is
+    the angle of the tangent in the frame of parallel and meridian, (u′ sin v, v′).
     """
     with np.errstate(all="ignore"):
-        angles = surface.curve.series(t, 2).derivatives()
-        (u, v), (du, dv), (ddu, ddv) = angles
-        half = 0.5 * (v - base)
-        heights = base + half * (1.0 + NODES[:, np.newaxis])
-        rows = np.stack([np.ones_like(heights), _divergence(surface, u, heights)])
-        inner = (WEIGHTS[:, np.newaxis] * rows * np.sin(heights)).sum(axis=1)
-        sine = np.sin(v)
-        bend = du * sine * ddv - dv * (ddu * sine + du * dv * np.cos(v))
-        turning = bend / ((du * sine) ** 2 + dv**2)
-        return np.stack([*(-half * inner * du), turning])
+        (_, v), (du, dv), (ddu, ddv) = surface.curve.series(t, 2).derivatives()
+        sine, cosine = np.sin(v), np.cos(v)
+        bend = du * sine * ddv - dv * (ddu * sine + du * dv * cosine)
+        return np.stack([du * (cosine - math.cos(base)), bend / ((du * sine) ** 2 + dv**2)])
+
+
+def _flux(surface: RuledSurface, base: float) -> tuple[float, float]:
+    """Return ∬ (ū_u + v̄_v + v̄ cot v) sin v du dv, and how far off it may be."""
+    start, end = surface.domain
+
+    def borders(t: Array) -> Array:
+        u, v = surface.curve.series(t, 0).value
+        return np.stack([_density(surface, u, v), _density(surface, u, np.full_like(v, base))])
+
+    def strips(t: Array) -> tuple[Array, Array]:
+        (u, v), (du, _) = surface.curve.series(t, 1).derivatives()
+        inner, off = integrals(
+            lambda w, strip: _density(surface, u[strip], w), np.full_like(v, base), v
+        )
+        return -du * inner, np.abs(du) * off
+
+    # Where an edge of the divergence leaves the region, the strips have an edge as well.
+    between = edges(borders, start, end)
+    flux, off = estimate(strips, np.union1d(np.linspace(start, end, STRIPS + 1), between))
+    if not off <= GIVEN_UP * max(1.0, abs(flux)):
+        raise GeometryError(
+            "the flux does not converge: the divergence ū_u + v̄_v + v̄ cot v is undefined or "
+            "unbounded in the enclosed region; choose ū, v̄ that are smooth there"
+        )
+    return flux, off
+
+
+def _density(surface: RuledSurface, u: Array, v: Array) -> Array:
+    """Return the divergence times sin v: the flux per unit of u and v."""
+    with np.errstate(all="ignore"):
+        return np.asarray(_divergence(surface, u, v) * np.sin(v))
 
 
 def _divergence(surface: RuledSurface, u: Array, v: Array) -> Array:
-    return Congruence(surface.ubar, surface.vbar).divergence(np.broadcast_to(u, v.shape), v)
+    return Congruence(surface.ubar, surface.vbar).divergence(u, v)
 
 
 def _corner(surface: RuledSurface) -> float:
@@ -334,15 +371,21 @@ def steiner(surface: RuledSurface) -> Dual:
     Raises
     ------
     GeometryError
-        where the surface does not close or its frame does not come back, as at a corner (C⁰).
+        where the surface does not close or its frame does not come back, as at a corner (C⁰); or
+        where the frame jumps on its way, as the striction point does at an edge of ū or v̄.
     """
     _require_frame_back(surface)
 
     def rates(t: Array) -> Array:
         with np.errstate(all="ignore"):
-            return measure(surface.jet(t))[0][:4]
+            jet = surface.jet(t)
+            values = measure(jet)[0][:4]
+            speed = np.hypot(values[1], values[3])
+            return np.stack([*values, values[3] - closed.along(jet), speed])
 
-    kappa, kappa_bar, tau, tau_bar = integrate(rates, *surface.domain, "Steiner's vector")
+    found = integrate(rates, *surface.domain, "Steiner's vector")
+    kappa, kappa_bar, tau, tau_bar, drift, length = found.tolist()
+    closed.require_steady(surface, drift, length, "Steiner's vector")
     return Dual(np.array([tau, 0.0, kappa]), np.array([tau_bar, 0.0, kappa_bar]))
 
 
@@ -357,9 +400,18 @@ def steiner_angle(surface: RuledSurface, line: Line) -> Dual:
 
     Notes
     -----
-    The dual part is the pitch of the surface that the line sweeps, see `carried`. The real part is
-    its angle of pitch −∮τ up to whole turns: as the line's own frame may turn about it, against
-    the moving frame, any number of times.
+    The dual part is the pitch of the surface that the line sweeps (see `carried`): with the frame's
+    instantaneous screw ω̂ = τ̂X₁ + κ̂X₃, ⟨ω̂, Y⟩ says at every t how fast Y runs along itself.
+
+    The real part says how far a vector that is not turned about the line gains on the moving frame.
+    The swept surface's own −∮τ counts it against the tangent y′ = ω × y of the path of y. As
+    κ > 0, ω = τx₁ + κx₃ stays in a half plane of the frame, and so does its part at right angles to
+    y: the tangent goes nowhere round y, and −∮τ of the swept surface is this real part + α, where
+    |α| < π is the corner of the path of y at the seam, positive to the left seen from outside. It
+    is the angle about y from the part of ω at right angles to y at the end to that at the start. So
+    α = 0 if τ/κ passes the seam without a jump, as at a C² seam, and for every y at right angles
+    to x₂, as then that part keeps its line. Only such a y can lie along ω and rest at some t, with
+    τ undefined there and its integral none the worse.
     """
     vector = steiner(surface)
     real = (vector.real * line.direction).sum(axis=-1)
