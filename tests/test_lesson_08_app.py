@@ -22,7 +22,10 @@ from ruledlab.geometry import carried, enclosed, gallery
 from ruledlab.geometry.curve import close
 from ruledlab.geometry.line import Line
 from ruledlab.lab import example, once_round
+from ruledlab.lab.palette import DARK, LIGHT
+from ruledlab.lab.scenes import once_round as once_round_scene
 from ruledlab.lab.scenes.once_round import (
+    LEGEND,
     numbers_html,
     overlay_of,
     path_of,
@@ -100,6 +103,25 @@ def test_the_fan_opens_by_the_angle_of_pitch(app):
     assert turns.sum() == pytest.approx(surface.angle_of_pitch(), abs=1e-8)
 
 
+def test_the_fan_lies_between_the_arm_at_the_start_and_at_the_end(app):
+    overlay = overlay_of(app.lab, app._path)
+    fan = named(overlay, "sheets", "λ").points
+    rays = fan[1, [0, -1]] - fan[0, [0, -1]]
+    arms = [named(overlay, "strokes", f"ξ at the {end}").points for end in ("start", "end")]
+    for ray, arm in zip(rays, arms, strict=True):
+        sine = np.linalg.norm(np.cross(ray, arm[1] - arm[0]))
+        assert sine == pytest.approx(0.0, abs=1e-9) and ray @ (arm[1] - arm[0]) > 0
+
+
+def test_a_walk_from_elsewhere_is_drawn(app, monkeypatch):
+    drawn = []
+    monkeypatch.setattr(app.view, "overlay", drawn.append)
+    app.start.field.value = "1.25"
+    surface = app.lab.result.surface
+    start = surface.striction(0.0) + 1.25 * surface.line(0.0).direction
+    assert np.allclose(named(drawn[-1], "dots", "start").point, start)
+
+
 def test_the_cursor_walks_along(app):
     app.lab.move_cursor(0.25)
     overlay = overlay_of(app.lab, app._path)
@@ -136,6 +158,10 @@ def test_the_three_ways_agree(key):
 
 def test_the_numbers_of_example_2(app):
     text = app.numbers.value
+    rows = dict(re.findall(r"<tr><th>([^<]+)</th><td>([^<]+)", text))
+    assert {rows[way] for way in ("line integral, −∮τ̂ dt", "area and flux", "in 512 steps")} == {
+        "−6.115937783"
+    }
     assert "−6.115937783" in text and "0.580104765" in text and "0.167248" in text
     assert "λ = A − 2π·1, A = 0.167248; l = flux, flux = 0.580105." in text
     assert "+ ε 0.580105" in text
@@ -158,14 +184,58 @@ def test_the_note_is_an_equation_that_holds(app):
         assert float(flux) + float(border) == pytest.approx(float(ways.total.dual), abs=1e-4)
 
 
-def test_a_field_with_an_edge_loses_one_way_and_keeps_the_others():
-    """|v − 0.8| has no divergence on the circle v = 0.8: the flux does not converge."""
+def test_a_field_with_an_edge_keeps_all_three_ways():
+    """|v − 0.8| has no divergence on the circle v = 0.8: flux to rounding, but no Steiner vector.
+
+    For there the striction point jumps along the ruling, and the frame with it.
+    """
     surface = RuledSurface(gallery.surface("example_2").curve, "u - v", "abs(v - 0.8)")
+    ways = ways_of(surface)
+    table = numbers_html(ways, path_of(surface, 0.0))
+    dual = float(ways.total.dual)
+    assert -ways.region.tau_bar_from_flux == pytest.approx(dual, abs=1e-10)
+    assert ways.steps.shift == pytest.approx(dual, abs=1e-5)
+    assert ways.carried is None and "jumps along the ruling" in ways.reasons[0]
+    assert "carried along" not in table and "±" not in table and "certain" not in table
+
+
+def flux_cell(vbar):
+    """The flux's l as shown, what it is said to be off by, and the true l."""
+    surface = RuledSurface(gallery.surface("example_2").curve, "u", vbar)
+    table = numbers_html(ways_of(surface), path_of(surface, 0.0))
+    row = table.split("area and flux")[1].split("</tr>")[0].split("<td>")[2].replace("−", "-")
+    value, figure, power = re.match(r"(-?[\d.]+)(?: ± (\d)·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?", row).groups()
+    digits = (power or "⁻⁹").translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
+    return value, float(figure or 1) * 10.0 ** int(digits), surface.pitch(), table
+
+
+@pytest.mark.parametrize(
+    "vbar", ["1/((u - 0.8)**2 + (v - 0.8)**2)", "sin(200*u*v)", "sqrt(abs(u - 0.8)) + v"]
+)
+def test_a_number_that_is_not_exact_says_how_far_off_it_may_be(vbar):
+    value, off, pitch, table = flux_cell(vbar)
+    assert f"{value} ± ".replace("-", "−") in table
+    assert abs(float(value) - pitch) <= 2 * off
+    assert 10.0 ** -len(value.split(".")[1]) >= off / 20  # no digit that is not certain
+    assert "The flux is certain to" in table and "Stokes" not in table
+
+
+def test_a_flux_without_a_value_is_not_shown():
+    surface = RuledSurface(
+        gallery.surface("example_2").curve, "u", "1/((u - 0.8)**2 + (v - 0.8)**2 - 0.01)"
+    )
     ways = ways_of(surface)
     assert ways.region is None and "flux does not converge" in ways.reasons[0]
     table = numbers_html(ways, path_of(surface, 0.0))
     assert "area and flux" not in table and "in 512 steps" in table
-    assert ways.steps.shift == pytest.approx(float(ways.total.dual), abs=1e-5)
+
+
+def test_a_field_that_jumps_is_told_from_one_that_is_rough():
+    """arctan2 jumps by 2π across a ray that the curve crosses: no flux makes up for that."""
+    *_, table = flux_cell("arctan2(v - 0.8, u - 0.8)")
+    assert "ū or v̄ jumps inside the region" in table
+    *_, smooth = flux_cell("u + v")
+    assert "jumps" not in smooth and "certain" not in smooth
 
 
 def test_the_seam_says_what_jumps(app):
@@ -291,6 +361,35 @@ def test_the_dark_theme_reaches_the_view(app, monkeypatch):
     monkeypatch.setattr(app.view, "set_theme", themes.append)
     app._page.set_state({"dark": True})
     assert [theme.dark for theme in themes] == [True]
+
+
+def test_the_legend_names_every_colour_of_the_way_round(app):
+    overlay = overlay_of(app.lab, app._path)
+    drawn = {item.colour for item in (*overlay.strokes, *overlay.dots, *overlay.sheets)}
+    assert drawn <= {name for name, _ in LEGEND}
+    light = app.legend.value
+    assert all(LIGHT.quantity(name) in light and text in light for name, text in LEGEND)
+    app._page.set_state({"dark": True})
+    assert all(DARK.quantity(name) in app.legend.value for name, _ in LEGEND)
+
+
+def test_a_move_evaluates_what_it_shows_once(app, monkeypatch):
+    """Every count is made once a move; one of w₀ or t makes none."""
+    asked = []
+    for name in ("enclosed", "steiner", "stepped"):
+        found = getattr(once_round_scene, name)
+
+        def counted(surface, found=found, name=name):
+            asked.append(name)
+            return found(surface)
+
+        counted.__name__ = name
+        monkeypatch.setattr(once_round_scene, name, counted)
+    app.figure.points.place(3, (1.3, 0.9), None)
+    assert sorted(asked) == ["enclosed", "steiner", "stepped"]
+    app.start.field.value = "0.5"
+    app.lab.move_cursor(0.4)
+    assert len(asked) == 3
 
 
 def test_closing_leaves_nothing():

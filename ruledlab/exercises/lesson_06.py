@@ -275,6 +275,12 @@ def divergence(draw: Draw) -> Formula:
                 r"This is the divergence in the plane chart. On the sphere the circles of latitude "
                 r"have the length $2\pi\sin v$, which adds $\bar v\cot v$.",
             ),
+            known.formula(
+                "cot v with ū",
+                f"{a} + {b} + ({a}*u - v)*cos(v)/sin(v)",
+                r"$\cot v$ belongs to $\bar v$: who goes south meets circles of latitude of "
+                r"another length; along one of them, with $\bar u$, nothing changes.",
+            ),
         ),
         hints=(
             "On the sphere a term is added to the divergence in the plane chart.",

@@ -52,6 +52,13 @@ def small_loop(draw: Draw) -> Number:
         slips=(
             known.torsion_sign(value),
             known.modulo_turn(value),
+            known.mistaken_for(
+                "2π of Gauss and Bonnet forgotten",
+                -area,
+                r"This is what one gets with $\oint\tau\,dt=A$. For a small loop the tangent turns "
+                r"once round nearly as in the plane, so $\oint\tau\,dt$ is near $2\pi$: it is "
+                r"$2\pi-A$.",
+            ),
             known.degrees(value),
         ),
         because=r"Gauss and Bonnet: $\oint\tau\,dt=2\pi-A$.",
@@ -181,8 +188,10 @@ def moebius(draw: Draw) -> Choose:
         ),
         Option(
             r"it is zero, because the band is one-sided",
-            r"Over two turns the sum is zero. Over one, $-\int\tau\,dt$ is just a number that "
-            "belongs to the way, not to the surface.",
+            r"Over one turn $-\int\tau\,dt$ is zero for this band, because it is symmetric; with "
+            "another curve from a line to the same line reversed it is not. It is a number that "
+            "belongs to the way. Over two turns the sum is always zero.",
+            slip="a zero taken for an angle of pitch",
         ),
     )
     return Choose(
@@ -205,7 +214,7 @@ def moebius(draw: Draw) -> Choose:
 
 def hyperboloid(draw: Draw) -> Number:
     """Ask for the pitch of a hyperboloid of one sheet."""
-    waist, part = draw.one_of((1, 2, 3)), draw.one_of((3, 4, 6))
+    waist, part = draw.one_of((1, 2, 3)), draw.one_of((3, 6))
     value = TURN * waist * math.sin(math.pi / part)
     return Number(
         question=rf"A hyperboloid of one sheet: $u=t$, $v=\tfrac\pi{{{part}}}$, $\bar u=0$, "
@@ -220,6 +229,12 @@ def hyperboloid(draw: Draw) -> Number:
                 TURN * waist,
                 r"This is the length of the waist circle, the way of the foot point. Only its part "
                 r"along the ruling counts: $\langle\mathbf c',\mathbf x\rangle$.",
+            ),
+            known.mistaken_for(
+                "cosine for sine",
+                TURN * waist * math.cos(math.pi / part),
+                r"This is the part of the waist circle at right angles to the ruling. $v$ is "
+                r"counted from the axis: a ruling makes the angle $\tfrac\pi2-v$ with the circle.",
             ),
         ),
         because="The waist circle and the rulings make the same angle everywhere.",
@@ -237,6 +252,15 @@ def walk(draw: Draw) -> Formula:
     """Ask for the orthogonal trajectory of horizontal rulings."""
     a, b, n = draw.integer(1, 3), draw.integer(1, 3), draw.integer(1, 3)
     turn = "t" if n == 1 else f"{n}t"
+    part = f"{b}" if n == 1 else rf"\tfrac{{{b}}}{{{n}}}"
+    inner = known.formula(
+        "inner derivative forgotten",
+        f"{a}*t + {b}*sin({n}*t)",
+        rf"Nearly. Differentiate it: $\sin {turn}$ brings a factor ${n}$, which the integral "
+        "has to take away.",
+        ("t",),
+        ((0.1, 6.0),),
+    )
     return Formula(
         question=r"All rulings are horizontal: $u=t$, $v=\tfrac\pi2$, $\bar u=0$ and "
         rf"$\bar v={a}+{b}\cos {turn}$ along the curve. An orthogonal trajectory starts in the "
@@ -249,11 +273,13 @@ def walk(draw: Draw) -> Formula:
             known.formula(
                 "sign of (24)",
                 f"-({a}*t + {b}*sin({n}*t)/{n})",
-                r"This is $+\int\langle\mathbf c',\mathbf x\rangle\,dt$. The foot point runs "
-                "forward along the ruling; who stays at right angles falls back by as much.",
+                r"This is $+\int\langle\mathbf c',\mathbf x\rangle\,dt$: the foot point runs "
+                r"back, against $\mathbf x$, and who stays at right angles moves forward by as "
+                "much.",
                 ("t",),
                 ((0.1, 6.0),),
             ),
+            *([inner] if n > 1 else []),
         ),
         because=rf"After one turn $l=2\pi\cdot{a}$: the wave adds nothing.",
         hints=(
@@ -261,7 +287,7 @@ def walk(draw: Draw) -> Formula:
             r"$\langle\mathbf p',\mathbf x\rangle=0$.",
             r"$w'=-\langle\mathbf c',\mathbf x\rangle=-\sin v\,(\bar u v'-\bar v u')$.",
         ),
-        solution=rf"$w'=\bar v$, so $w={a}t+\tfrac{{{b}}}{{{n}}}\sin {turn}$, and "
+        solution=rf"$w'=\bar v$, so $w={a}t+{part}\sin {turn}$, and "
         rf"$l=2\pi\cdot{a}$.",
     )
 
@@ -405,7 +431,7 @@ def trajectory_slip(draw: Draw) -> FindSlip:
 
 def carried_pitch(draw: Draw) -> Number:
     """Ask for the pitch of a line through the striction point, from Steiner's vector."""
-    tau_bar, kappa_bar = draw.integer(1, 4) / 2, draw.integer(1, 5) / 2
+    tau_bar, kappa_bar = draw.one_of(((0.5, 2.0), (1.0, 2.5), (3.0, 1.0), (1.5, 2.5)))
     cosine, sine, name = draw.one_of(((0.6, 0.8, "0.6, 0, 0.8"), (0.8, 0.6, "0.8, 0, 0.6")))
     value = -(tau_bar * cosine + kappa_bar * sine)
     return Number(
@@ -424,6 +450,13 @@ def carried_pitch(draw: Draw) -> Number:
                 -tau_bar * cosine,
                 r"$\mathbf x_3$ has a pitch of its own, $-\oint\bar\kappa\,dt$, and this line has "
                 "a part along it.",
+            ),
+            known.mistaken_for(
+                "τ̄ and κ̄ exchanged",
+                -(kappa_bar * cosine + tau_bar * sine),
+                r"$\oint\bar\tau\,dt$ stands with $\mathbf X_1$ and $\oint\bar\kappa\,dt$ with "
+                r"$\mathbf X_3$: $\hat{\mathbf D}=\oint(\hat\tau\mathbf X_1+\hat\kappa"
+                r"\mathbf X_3)\,dt$.",
             ),
         ),
         hints=(

@@ -9,9 +9,7 @@ import ipywidgets as w
 import numpy as np
 
 from ...design import Design
-from ...geometry import (
-    gallery,
-)
+from ...geometry import gallery
 from ..controls import (
     FieldControl,
     GalleryControl,
@@ -21,7 +19,9 @@ from ..controls import (
     TimeControl,
     design_of,
 )
+from ..palette import DARK, LIGHT
 from ..scenes.once_round import (
+    legend_html,
     numbers_html,
     overlay_of,
     path_of,
@@ -50,9 +50,6 @@ def once_round(design: Design | None = None) -> OnceRound:
     return OnceRound(Lab(design or design_of(gallery.example("example_2"))))
 
 
-# -- what there is to show, without widgets --------------------------------------------------------
-
-
 class OnceRound(LabApp):
     """A closed design with its orthogonal trajectory, ξ, enclosed region and the three counts."""
 
@@ -65,6 +62,7 @@ class OnceRound(LabApp):
         self.own = Group()
         words = "w₀, how far from the striction point the trajectory starts"
         self.start = NumberControl(self.own, "w₀", words, (-1.5, 1.5), 0.01, self.begin)
+        self.legend = w.HTML(legend_html(LIGHT))
         self.region, self.numbers, self.seam = w.HTML(), w.HTML(), w.HTML()
         self._w0, self._path = 0.3, path_of(lab.result.surface, 0.3)
         self.start.show(self._w0)
@@ -77,10 +75,15 @@ class OnceRound(LabApp):
         head = w.Box([self.gallery.widget, self.history.widget]).add_class("ruledlab-head")
         hand = w.VBox([self.figure]).add_class("ruledlab-hand")
         edit = w.VBox([self.region, self.fields.widget]).add_class("ruledlab-edit")
-        show = [self.view.widget, self.time.widget, self.start.widget, self.numbers, self.seam]
-        right = w.VBox(show).add_class("ruledlab-right")
+        move = [self.view.widget, self.legend, self.time.widget, self.start.widget]
+        right = w.VBox([*move, self.numbers, self.seam]).add_class("ruledlab-right")
         foot = w.VBox([self.gallery.note]).add_class("ruledlab-foot")
         return w.Box([head, hand, edit, right, foot]).add_class("ruledlab-grid")
+
+    def restyle(self, dark: bool) -> None:
+        """Change the picture to the light or the dark theme, and the legend with it."""
+        super().restyle(dark)
+        self.legend.value = legend_html(DARK if dark else LIGHT)
 
     def begin(self, w0: float) -> None:
         """Start the orthogonal trajectory elsewhere on the first ruling."""

@@ -30,11 +30,13 @@ from ...geometry import (
 )
 from ...geometry.checks import Array
 from ..overlay import Dot, Label, Overlay, Sheet, Stroke
+from ..palette import Theme
 from ..state import Lab
 
 __all__ = [
     "Path",
     "Ways",
+    "legend_html",
     "numbers_html",
     "overlay_of",
     "path_of",
@@ -43,6 +45,22 @@ __all__ = [
     "ways_of",
     "words_of",
 ]
+
+EXACT = 5e-10
+"""A flux that is off by less is right in every digit shown."""
+
+JUMPING = 1e-6
+"""Stokes' theorem fails by more than this only where ū or v̄ jumps."""
+
+LEGEND = (
+    ("delta", "the walk"),
+    ("tau", "the gap l"),
+    ("ink", "ξ at the start"),
+    ("kappa", "ξ at the end, and the angle λ"),
+    ("cursor", "ξ at t"),
+    ("sigma", "striction curve"),
+)
+"""The colours of the picture, by the names of the palette."""
 
 PLACES = 401
 """Places of t on the way round: the cursor's own, so that it stands on them."""
@@ -254,21 +272,40 @@ def numbers_html(ways: Ways, path: Path) -> str:
     rows = [("line integral, −∮τ̂ dt", _shown(real, 9), _shown(dual, 9))]
     if (region := ways.region) is not None:
         pair = -region.tau_from_area, -region.tau_bar_from_flux
-        rows.append(("area and flux", _beside(pair[0], real), _beside(pair[1], dual)))
+        about = _beside(pair[1], dual, region.off)
+        rows.append(("area and flux", _beside(pair[0], real), about))
     if (steps := ways.steps) is not None:
         angle = "–" if region is None else _beside(region.corner - steps.bend, real)
         rows.append((f"in {steps.count} steps", angle, _beside(steps.shift, dual)))
     rows.append(("λ mod 2π", _shown(_modulo(real), 6), ""))
     if (d := ways.carried) is not None:
-        rows.append(("the line X₂, carried", "0", "0"))
-        rows.append(("the line X₃, carried", _shown(-d.real[2], 6), _shown(-d.dual[2], 6)))
+        rows.append(("X₂, carried along", "0", "0"))
+        rows.append(("X₃, carried along", _shown(-d.real[2], 6), _shown(-d.dual[2], 6)))
     body = "".join(f"<tr><th>{a}</th><td>{b}</td><td>{c}</td></tr>" for a, b, c in rows)
     sign = "+" if dual >= 0 else "−"
     return (
         f"{_TABLE}<tr><th></th><th>λ in rad</th><th>l, a length</th></tr>{body}</table>"
         f"<div>Λ = λ + ε l = {_shown(real, 6)} {sign} ε {abs(dual):.6f}</div>"
-        f"{_region_note(ways.region)}"
+        f"{_region_note(ways.region)}{_doubts(ways)}"
     )
+
+
+def _doubts(ways: Ways) -> str:
+    """Return which of the numbers are not what they should be, and why."""
+    region, said = ways.region, ""
+    if ways.total is None or region is None:
+        return said
+    if region.off > EXACT:
+        said += (
+            f" The flux is certain to {_power(region.off)} only: the divergence is very rough "
+            "inside the region."
+        )
+    if abs(region.tau_bar_from_flux + float(ways.total.dual)) > region.off + JUMPING:
+        said += (
+            " The flux does not give l here: ū or v̄ jumps inside the region, and Stokes' theorem "
+            "needs fields that do not."
+        )
+    return f'<div class="ruledlab-note" role="status">{said.strip()}</div>' if said else ""
 
 
 def _modulo(angle: float) -> float:
@@ -336,12 +373,29 @@ def _shown(value: float, digits: int) -> str:
     return f"{round(value, digits) + 0.0:.{digits}f}".replace("-", "−")
 
 
-def _beside(value: float, first: float) -> str:
-    """Return a number with its difference from the first way's."""
-    off = (
-        f"differs by {value - first:+.0e}".replace("-", "−") if value != first else "no difference"
+def _beside(value: float, first: float, off: float = 0.0) -> str:
+    """Return a number with its difference from the first way's; no digit that is not certain."""
+    digits = 9 if off <= EXACT else max(0, math.ceil(-math.log10(off)))
+    apart = f"differs by {_power(value - first)}" if value != first else "no difference"
+    about = "" if off <= EXACT else f" ± {_power(off)}"
+    return f"{_shown(value, digits)}{about}<br><small>{apart}</small>"
+
+
+def _power(value: float) -> str:
+    """Return a small number as 3·10⁻⁹."""
+    figure, power = f"{value:.0e}".split("e")
+    raised = str(int(power)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    return f"{figure}·10{raised}".replace("-", "−")
+
+
+def legend_html(theme: Theme) -> str:
+    """Return what is drawn in which colour; the words stand in the page's own."""
+    parts = "&emsp;".join(
+        f'<span style="white-space:nowrap"><span aria-hidden="true" '
+        f'style="color:{theme.quantity(name)}">■</span> {text}</span>'
+        for name, text in LEGEND
     )
-    return f"{_shown(value, 9)}<br><small>{off}</small>"
+    return f'<div class="ruledlab-note">{parts}</div>'
 
 
 def words_of(lab: Lab, path: Path) -> str:
