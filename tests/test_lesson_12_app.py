@@ -196,6 +196,32 @@ def test_the_numbers_are_those_of_the_cursor(app) -> None:
         assert comparison.said(float(value)) in app.numbers.value
 
 
+def test_the_columns_are_printed_mended_and_their_difference(app) -> None:
+    app.time.t.field.value = "0.4"
+    printed, right = float(finding("tau").printed(EX2, 0.4)), float(EX2.invariants(0.4).tau)
+    row = re.findall(r"<tr>(.*?)</tr>", app.numbers.value)[1]
+    cells = re.findall(r"<td[^>]*>(.*?)</td>", row)
+    numbers = [comparison.said(value) for value in (printed, right, printed - right)]
+    assert cells[:4] == ["at t = 0.4", *numbers]
+
+
+def test_each_frame_holds_what_it_shows(app) -> None:
+    made = app.comparison
+    above, below = app._axes
+    for limits, curve in ((above, made.printed), (above, made.mended), (below, made.difference)):
+        assert limits.low <= curve.min() < curve.max() <= limits.high + 1e-9
+    assert below.low < above.low  # the difference reaches lower than both curves
+
+
+def test_a_formula_and_the_meaning_of_its_letters_are_two_lines(app) -> None:
+    app.chooser.menu.value = "cot_sigma_0"
+    lines = re.findall(r"<p[^>]*>(.*?)</p>", app.formulas.value)
+    assert "as printed" in lines[0]
+    assert lines[1].startswith(r"with \((\Delta_u,")
+    assert "mended" in lines[2]
+    assert "qquad" not in app.formulas.value
+
+
 def test_scalars_have_their_relative_error(app) -> None:
     app.chooser.menu.value = "tau_bar_0"
     right = EX2.invariants(0.0).tau_bar
@@ -354,6 +380,20 @@ def test_delta_at_the_start_of_the_exercise(seed: str) -> None:
     assert slip.slip == "δ(0) as printed"
 
 
+@pytest.mark.parametrize("seed", SEEDS)
+def test_one_angle_of_pitch_is_within_reach(seed: str) -> None:
+    """λ is ± the enclosed area modulo 2π, and the rectangle is all that can be enclosed."""
+    task = find("12.11").task(seed)
+    assert isinstance(task, Choose)
+    across, *band = re.findall(r"\\tfrac(?:\\pi|\{(\d)\\pi\})(\d)", task.question)
+    low, high = (int(top or 1) * np.pi / int(below) for top, below in band)
+    area = np.pi / int(across[1]) * (np.cos(low) - np.cos(high))
+    off = [(float(o.text.strip("$")) + np.pi) % (2 * np.pi) - np.pi for o in task.options]
+    assert [abs(value) < area for value in off] == [o.right for o in task.options]
+    assert sum(o.right for o in task.options) == 1
+    assert min(abs(abs(value) - area) for value in off) > 0.05
+
+
 TESTED = RuledSurface(Bezier([[0.2, 0.7], [1.0, 1.9], [1.9, 0.8], [2.4, 1.5]]), "u - v", "u + v")
 
 
@@ -410,7 +450,7 @@ def test_the_printed_h11_has_no_weight_and_the_others_have() -> None:
         np.testing.assert_allclose(where, TESTED.curvature([0.3], [0.5]).gauss, rtol=1e-9)
 
 
-@pytest.mark.parametrize("number", range(1, 11))
+@pytest.mark.parametrize("number", range(1, 12))
 def test_the_card_of_every_exercise_opens(number: int, tmp_path: Path) -> None:
     card = exercise(f"12.{number}", store=Store(tmp_path / "answers.json"))
     assert card.children

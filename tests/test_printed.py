@@ -1,16 +1,13 @@
-"""What is printed and what is right, from three sides: SymPy, 30 digits, and the typeset formulas.
+"""What is printed and what is right: every finding evaluated, typeset and told.
 
-The algebra proves the corrected formulas from the definitions and shows that the printed ones
-differ. The numbers come from `mpmath` and the definitions alone. The typeset formulas are read and
-evaluated, so that what a reader sees is what is computed.
+The numbers come from `mpmath` and the definitions alone (`latex_reader`), the derivations are in
+`test_printed_algebra`, the comparison with the list known beforehand in `test_printed_list`.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from functools import lru_cache
+from collections.abc import Callable
 from typing import Any
 
 import mpmath as mp
@@ -21,271 +18,13 @@ import sympy as sp
 from ruledlab.geometry import Bezier, BSpline, GeometryError, RuledSurface, gallery
 from ruledlab.printed import CONFIRMED, PRINTED, REMARKS, TRIED, Finding, finding
 
+from .latex_reader import CASES, LOOP, Case, W, exact, read
+
 KEYS = [entry.key for entry in PRINTED]
 PI = np.pi
+u, v = sp.symbols("u v")
 
-
-# -- designs: as surfaces, and as functions for mpmath ---------------------------------------------
-
-
-@dataclass(frozen=True)
-class Case:
-    """A design twice: for the package, and as formulas that both mpmath and numpy understand."""
-
-    points: tuple[tuple[float, float], ...]
-    ubar: str
-    vbar: str
-    places: tuple[float, ...]
-
-    @property
-    def surface(self) -> RuledSurface:
-        return RuledSurface(Bezier(np.array(self.points)), self.ubar, self.vbar)
-
-
-def known(key: str, *places: float) -> Case:
-    entry = gallery.example(key)
-    return Case(entry.points, entry.ubar, entry.vbar, places)
-
-
-CASES = {
-    "example_1": known("example_1", 0.25, 0.5, 0.875),
-    "example_2": known("example_2", 0.0, 0.375, 0.8125),
-    "random": Case(
-        ((0.31, 0.92), (0.83, 1.37), (1.46, 0.58), (2.05, 1.83), (2.77, 1.14)),
-        "sin(u)*v",
-        "exp(-v) + u**2/4",
-        (0.0, 0.4375, 1.0),
-    ),
-}
-LOOP = Case(
-    ((0.9, 1.1), (1.2, 1.9), (0.4, 2.2), (-0.6, 1.7), (-0.3, 0.7), (0.6, 0.3), (0.9, 1.1)),
-    "u*v/2 + cos(v)",
-    "sin(u) - v/3",
-    (0.0, 0.3, 0.7),
-)
-W = (-0.75, 0.0, 0.625)
-
-
-class Exact:
-    """All that the formulas speak of, at one t, from the definitions, to 30 digits."""
-
-    def __init__(self, case: Case) -> None:
-        self.points = [tuple(mp.mpf(x) for x in p) for p in case.points]
-        self.n = len(self.points) - 1
-        self.ubar, self.vbar = (
-            sp.lambdify((u, v), sp.parse_expr(text), "mpmath") for text in (case.ubar, case.vbar)
-        )
-
-    def angle(self, t: Any, i: int) -> Any:
-        n = self.n
-        return mp.fsum(
-            mp.binomial(n, k) * (1 - t) ** (n - k) * t**k * p[i] for k, p in enumerate(self.points)
-        )
-
-    def line(self, t: Any) -> tuple[list[Any], list[Any]]:
-        u, v = self.angle(t, 0), self.angle(t, 1)
-        ubar, vbar = self.ubar(u, v), self.vbar(u, v)
-        x = [mp.cos(u) * mp.sin(v), mp.sin(u) * mp.sin(v), mp.cos(v)]
-        x_u = [-mp.sin(u) * mp.sin(v), mp.cos(u) * mp.sin(v), 0]
-        x_v = [mp.cos(u) * mp.cos(v), mp.sin(u) * mp.cos(v), -mp.sin(v)]
-        return x, [ubar * a + vbar * b for a, b in zip(x_u, x_v, strict=True)]
-
-    def jet(self, t: Any, order: int) -> tuple[list[Any], list[Any]]:
-        """Derivatives of x and of x̄ as matrices 3 × 1, from one Taylor series per entry."""
-        series = [
-            [mp.taylor(lambda s, p=p, i=i: self.line(s)[p][i], t, order) for i in range(3)]
-            for p in (0, 1)
-        ]
-        rows = [
-            [mp.matrix([mp.factorial(k) * entry[k] for entry in part]) for k in range(order + 1)]
-            for part in series
-        ]
-        return rows[0], rows[1]
-
-    def mu(self, t: Any) -> Any:
-        """⟨m − c, x⟩ = −⟨x′, c′⟩/⟨x′, x′⟩."""
-        (x, x1), (y, y1) = self.jet(t, 1)
-        return -dot(x1, cross(x1, y) + cross(x, y1)) / dot(x1, x1)
-
-    def values(self, t: float) -> dict[str, Any]:
-        t = mp.mpf(t)
-        (x, x1, x2), (y, y1, y2) = self.jet(t, 2)
-        kappa = mp.sqrt(dot(x1, x1))
-        kb, dk = dot(x1, y1) / kappa, dot(x1, x2) / kappa
-        tau = dot(cross(x, x1), x2) / kappa**2
-        twist = (dot(cross(y, x1), x2) + dot(cross(x, y1), x2) + dot(cross(x, x1), y2)) / kappa**2
-        env = {
-            "t": t,
-            "n": mp.mpf(self.n),
-            r"\kappa": kappa,
-            r"\bar\kappa": kb,
-            r"\tau": tau,
-            r"\bar\tau": twist - 2 * tau * kb / kappa,
-            r"\kappa'": dk,
-            r"\bar\kappa'": (dot(x2, y1) + dot(x1, y2) - kb * dk) / kappa,
-            r"\mu": self.mu(t),
-            r"\mu'": mp.diff(self.mu, t),
-            "advance": dot(cross(x, x1), y),
-        }
-        return env | self._angles(t) | self._fields(t) | self._legs()
-
-    def _angles(self, t: Any) -> dict[str, Any]:
-        rows = {
-            name: mp.taylor(lambda s, i=i: self.angle(s, i), t, 2) for i, name in enumerate("uv")
-        }
-        return {
-            name + "'" * k: row[k] * (2 if k == 2 else 1)
-            for name, row in rows.items()
-            for k in range(3)
-        }
-
-    def _fields(self, t: Any) -> dict[str, Any]:
-        u, v = self.angle(t, 0), self.angle(t, 1)
-        env = {}
-        for name, f in (("u", self.ubar), ("v", self.vbar)):
-            env[rf"\bar{name}"] = f(u, v)
-            env[rf"\bar{name}_u"] = mp.diff(f, (u, v), (1, 0))
-            env[rf"\bar{name}_v"] = mp.diff(f, (u, v), (0, 1))
-            env[rf"\bar{name}'"] = mp.diff(lambda s, f=f: f(self.angle(s, 0), self.angle(s, 1)), t)
-        return env
-
-    def _legs(self) -> dict[str, Any]:
-        p = self.points
-        env = {"v_0": p[0][1]}
-        for i, name in enumerate("uv"):
-            env[rf"\Delta_{name}"] = p[1][i] - p[0][i]
-            bend = p[2][i] - 2 * p[1][i] + p[0][i] if self.n > 1 else mp.mpf(0)
-            env[rf"\Delta^2_{name}"] = bend
-        return env
-
-
-def dot(a: Any, b: Any) -> Any:
-    return mp.fsum(p * q for p, q in zip(a, b, strict=True))
-
-
-def cross(a: Any, b: Any) -> Any:
-    return mp.matrix(
-        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-    )
-
-
-@lru_cache
-def values(name: str, t: float) -> dict[str, Any]:
-    with mp.workdps(40):
-        return Exact(LOOP if name == "loop" else CASES[name]).values(t)
-
-
-def exact(name: str, t: float, w: float = 0.0) -> dict[str, Any]:
-    return values(name, t) | {"w": mp.mpf(w)}
-
-
-# -- the typeset formulas, read and evaluated ------------------------------------------------------
-
-TOKEN = re.compile(
-    r"(?P<skip>\s+|\\,|\\bigl|\\bigr|\{\}|\\left|\\right)"
-    r"|(?P<name>\\langle\\mathbf c',\\mathbf x\\rangle|\\mu'\(0\)|\\mu'?"
-    r"|\\Delta(?:\^2)?_[uv]|v_0|\\bar ?(?:\\kappa|\\tau|[uv])(?:_[uv])?'*|\\kappa'?|\\tau"
-    r"|[uv]'*|[twn])"
-    r"|(?P<number>\d+)|(?P<word>\\frac|\\sqrt|\\sin|\\cos)|(?P<sign>[-+*/^(){}])"
-)
-
-
-class Reader:
-    """A reader of the typeset formulas: sums, products without a sign, fractions, roots, powers."""
-
-    def __init__(self, text: str, env: dict[str, Any]) -> None:
-        self.env, self.at = env, 0
-        self.tokens = list(self._tokens(text))
-
-    def _tokens(self, text: str) -> Iterator[tuple[str, str]]:
-        place = 0
-        while place < len(text):
-            match = TOKEN.match(text, place)
-            assert match is not None, f"cannot read {text[place:]!r} in {text!r}"
-            place = match.end()
-            if match.lastgroup != "skip":
-                yield str(match.lastgroup), match.group()
-        yield "end", ""
-
-    def value(self) -> Any:
-        result = self.sum()
-        assert self.tokens[self.at][0] == "end"
-        return result
-
-    def peek(self) -> str:
-        return self.tokens[self.at][1]
-
-    def take(self, expected: str | None = None) -> tuple[str, str]:
-        token = self.tokens[self.at]
-        assert expected is None or token[1] == expected, (expected, token)
-        self.at += 1
-        return token
-
-    def sum(self) -> Any:
-        total = self.product() if self.peek() != "-" else mp.mpf(0)
-        while self.peek() in ("+", "-"):
-            sign = 1 if self.take()[1] == "+" else -1
-            total += sign * self.product()
-        return total
-
-    def product(self) -> Any:
-        result = self.power()
-        while self.peek() not in ("+", "-", ")", "}", ""):
-            divide = self.peek() == "/"
-            if divide:
-                self.take()
-            factor = self.power()
-            result = result / factor if divide else result * factor
-        return result
-
-    def power(self) -> Any:
-        base = self.atom()
-        return base ** self.exponent() if self.peek() == "^" else base
-
-    def exponent(self) -> Any:
-        self.take("^")
-        return self.group() if self.peek() == "{" else mp.mpf(self.take()[1])
-
-    def group(self, left: str = "{", right: str = "}") -> Any:
-        self.take(left)
-        value = self.sum()
-        self.take(right)
-        return value
-
-    def atom(self) -> Any:
-        if self.peek() == "(":
-            return self.group("(", ")")
-        kind, text = self.take()
-        if kind == "number":
-            return mp.mpf(text)
-        if kind == "name":
-            return self.named(text)
-        if text == r"\frac":
-            return self.group() / self.group()
-        if text == r"\sqrt":
-            return mp.sqrt(self.group())
-        return self.circular(getattr(mp, text[1:]))
-
-    def named(self, text: str) -> Any:
-        if text.startswith(r"\langle"):
-            return self.env["advance"]
-        return self.env[text.replace(" ", "").replace("(0)", "")]
-
-    def circular(self, function: Callable[[Any], Any]) -> Any:
-        exponent = self.exponent() if self.peek() == "^" else 1
-        factor = mp.mpf(self.take()[1]) if self.tokens[self.at][0] == "number" else 1
-        return function(factor * self.named(self.take()[1])) ** exponent
-
-
-def sides(latex: str) -> list[str]:
-    """The right-hand sides of the equation that matters."""
-    body = latex[latex.index("g_{11}=") :] if "g_{11}" in latex else latex
-    return re.split(r",?\\q?quad", body)[0].split("=")[1:]
-
-
-def read(latex: str, env: dict[str, Any]) -> list[float]:
-    with mp.workdps(40):
-        return [float(Reader(side, env).value()) for side in sides(latex) if "operator" not in side]
+# -- the typeset formulas --------------------------------------------------------------------------
 
 
 def test_the_reader_reads() -> None:
@@ -313,6 +52,8 @@ def test_the_functions_follow_the_typeset_formulas(key: str, name: str) -> None:
                 (entry.corrected_latex, entry.corrected),
             ):
                 expected = read(latex, exact(name, t, w))
+                if latex == finding("cot_sigma").printed_latex:
+                    del expected[0]  # τ̄/κ̄, which is right
                 found = function(case.surface, *place)
                 assert expected == pytest.approx([float(found)] * len(expected), rel=1e-9, abs=1e-9)
 
@@ -369,157 +110,6 @@ def test_example_1_by_numbers_known_beforehand() -> None:
     np.testing.assert_allclose(inv.tau, cosine * (sine**2 + 2) / square, rtol=1e-13)
     delta = (sine * (2 * t * cosine + sine) + cosine**2 + 1) / square
     np.testing.assert_allclose(inv.delta, delta, rtol=1e-13)
-
-
-# -- the algebra, from the definitions -------------------------------------------------------------
-
-u, v, u1, v1, u2, v2 = sp.symbols("u v u1 v1 u2 v2")
-U, U1, U2, V, V1, V2, Uu, Uv, Vu, Vv = sp.symbols("U U1 U2 V V1 V2 Uu Uv Vu Vv")
-RATES = {u: u1, u1: u2, v: v1, v1: v2, U: U1, U1: U2, V: V1, V1: V2}
-S, C = sp.symbols("S C")
-
-
-def rate(expression: Any) -> Any:
-    """The derivative by t."""
-    return sum((sp.diff(expression, a) * b for a, b in RATES.items()), start=sp.zeros(3, 1)[0])
-
-
-def vector_rate(vector: Any) -> Any:
-    return vector.applyfunc(rate)
-
-
-def reduced(expression: Any) -> Any:
-    """At u = 0, which a turn about the axis brings about; a polynomial with C² = 1 − S²."""
-    chain = {U1: Uu * u1 + Uv * v1, V1: Vu * u1 + Vv * v1}
-    plain = expression.subs(u, 0).subs({sp.sin(v): S, sp.cos(v): C})
-    return sp.rem(sp.expand(plain), C**2 + S**2 - 1, C).subs(chain).expand()
-
-
-@dataclass(frozen=True)
-class Algebra:
-    x: tuple[Any, Any, Any]
-    y: tuple[Any, Any, Any]
-
-    def triple(self, i: Any, j: Any, k: Any) -> Any:
-        return sp.Matrix.hstack(i, j, k).det()
-
-
-@pytest.fixture(scope="module")
-def algebra() -> Algebra:
-    x = sp.Matrix([sp.cos(u) * sp.sin(v), sp.sin(u) * sp.sin(v), sp.cos(v)])
-    y = U * x.diff(u) + V * x.diff(v)
-    x1, y1 = vector_rate(x), vector_rate(y)
-    rows = [(m, n, vector_rate(n)) for m, n in ((x, x1), (y, y1))]
-    return Algebra(*(tuple(m.subs(u, 0) for m in row) for row in rows))
-
-
-SINE, COSINE = sp.sin(v), sp.cos(v)
-SQUARE = u1**2 * SINE**2 + v1**2
-STRETCH = u1**2 * SINE * (V * COSINE + Uu * SINE) + u1 * v1 * (Vu + Uv * SINE**2) + v1**2 * Vv
-ADVANCE = SINE * (U * v1 - V * u1)
-COMMON = COSINE * (u1**3 * SINE**2 + 2 * u1 * v1**2)
-
-
-def same(left: Any, right: Any) -> bool:
-    return bool(reduced(left - right) == 0)
-
-
-def test_kappa_and_kappa_bar_of_18_are_right(algebra: Algebra) -> None:
-    assert same(algebra.x[1].dot(algebra.x[1]), SQUARE)
-    assert same(algebra.x[1].dot(algebra.y[1]), STRETCH)
-
-
-def test_tau_of_18(algebra: Algebra) -> None:
-    determinant = algebra.triple(*algebra.x)
-    assert same(determinant, COMMON + SINE * (u2 * v1 - u1 * v2))
-    printed = COMMON + SINE * (u1 * v2 + u2 * v1)
-    assert same(printed - determinant, 2 * SINE * u1 * v2)
-    assert not same(printed, determinant)
-
-
-def test_tau_bar_of_18(algebra: Algebra) -> None:
-    """κ⁴τ̄ from (6) against κ⁴(⟨c′, x⟩ + μ′), with κ²μ a polynomial."""
-    (x, x1, x2), (y, y1, y2) = algebra.x, algebra.y
-    triple = algebra.triple
-    twist = triple(y, x1, x2) + triple(x, y1, x2) + triple(x, x1, y2)
-    tau_bar = SQUARE * twist - 2 * triple(x, x1, x2) * x1.dot(y1)
-    above = SINE * (v1 * U1 - u1 * V1) + u1 * v1 * V * COSINE
-    mu_rate = SQUARE**2 * rate(U * COSINE) + SQUARE * rate(above) - above * rate(SQUARE)
-    assert same(tau_bar, SQUARE**2 * ADVANCE + mu_rate)
-    assert not same(tau_bar, SQUARE**2 * ADVANCE)
-    # the two parts are what they are said to be: ⟨c′, x⟩, and the place of m on the ruling
-    foot_rate = x1.cross(y) + x.cross(y1)
-    assert same(foot_rate.dot(x), ADVANCE)
-    assert same(-x1.dot(foot_rate), SQUARE * U * COSINE + above)
-
-
-def test_the_foot_point_of_20(algebra: Algebra) -> None:
-    foot = sp.Matrix([-U * SINE * COSINE, V, U * SINE**2])  # at u = 0
-    assert all(same(a, b) for a, b in zip(algebra.x[0].cross(algebra.y[0]), foot, strict=True))
-
-
-FRAME = sp.symbols("k kb t tb w dk dkb dtb p q r")
-
-
-def test_5_and_the_matrix_after_17() -> None:
-    """With x̄ᵢ = m × xᵢ and m = (p, q, r) in the frame: differentiate, and compare."""
-    k, kb, t, tb, *_, p, q, r = FRAME
-    turn = sp.Matrix([[0, k, 0], [-k, 0, t], [0, -t, 0]])
-    e, m = sp.eye(3), sp.Matrix([p, q, r])
-    m_rate = sp.Matrix([tb, 0, kb])
-    moments = [m.cross(e.col(i)) for i in range(3)]
-    rates = [m_rate.cross(e.col(i)) + m.cross(turn.row(i).T) for i in range(3)]
-    right = -kb * e.col(0) + tb * e.col(2) - k * moments[0] + t * moments[2]
-    assert rates[1].expand() == right.expand()
-    printed = -kb * e.col(0) + tb * e.col(2) - k * moments[0] + t * moments[1]
-    assert (
-        (printed - rates[1]).expand() == (t * (moments[1] - moments[2])).expand() != sp.zeros(3, 1)
-    )
-    matrix = sp.Matrix(
-        [
-            [-k * r, kb, k * p],
-            [t * q - kb, -k * r - t * p, tb + k * q],
-            [t * r, -tb, -t * p],
-        ]
-    )
-    assert sp.Matrix.vstack(*(row.T for row in rates)).expand() == matrix.expand()
-
-
-def test_h11_and_the_mean_curvature() -> None:
-    k, kb, t, tb, w, dk, dkb, dtb, *_ = FRAME
-    turn = sp.Matrix([[0, k, 0], [-k, 0, t], [0, -t, 0]])
-    r_t, r_w = sp.Matrix([tb, w * k, kb]), sp.Matrix([1, 0, 0])
-    r_tt = sp.Matrix([dtb, w * dk, dkb]) + turn.T * r_t
-    normal, area = sp.Matrix([0, kb, -w * k]), kb**2 + w**2 * k**2
-    assert r_t.cross(r_w) == normal
-    rest = w * k * (w * k * t + dkb)
-    h11 = r_tt.dot(normal)
-    assert sp.expand(h11 - (kb * (k * tb + w * dk - kb * t) - rest)) == 0
-    gap = sp.expand(kb * (tb + w * dk - t) - rest - h11)
-    assert gap == sp.expand(kb * (tb * (1 - k) - t * (1 - kb)))
-    above = h11 - 2 * k * kb * r_t[0]  # g₂₂ = 1, h₂₂ = 0, det g = W²
-    assert sp.expand(above - (kb * (w * dk - k * tb - kb * t) - rest)) == 0
-    assert sp.expand(r_t.dot(r_t) - tb**2 - area) == 0
-
-
-def test_the_turning_of_a_developable_direction() -> None:
-    """(11): ξ′ has no part across x₁ exactly for φ′ = −τ, and the lines along ξ then sweep one."""
-    phi, phi1, w, w1 = sp.symbols("phi phi1 w w1")
-    k, kb, t, tb, *_ = FRAME
-    turn = sp.Matrix([[0, k, 0], [-k, 0, t], [0, -t, 0]])
-    xi = sp.Matrix([0, sp.cos(phi), sp.sin(phi)])
-    xi_rate = phi1 * xi.diff(phi) + turn.T * xi
-    assert sp.simplify(xi_rate.subs(phi1, -t) + sp.Matrix([k * sp.cos(phi), 0, 0])) == sp.zeros(
-        3, 1
-    )
-    # through the point m + w x of the ruling where ξ touches the surface
-    point_rate = sp.Matrix([tb + w1, w * k, kb])
-    flat = (
-        sp.Matrix.hstack(point_rate, xi, xi_rate)
-        .det()
-        .subs(w, kb * sp.cos(phi) / (k * sp.sin(phi)))
-    )
-    assert sp.simplify(flat - (tb + w1) * (phi1 + t)) == 0
 
 
 # -- integrals and what is not a function of t -----------------------------------------------------
@@ -669,13 +259,30 @@ def test_closing(legs: float, smooth: bool, jump: float) -> None:
         assert kappa[1] / kappa[0] == pytest.approx(abs(legs))
 
 
-def test_a_c1_seam_still_lets_the_torsion_jump() -> None:
+def seam(aside: float) -> RuledSurface:
+    """A C¹ seam whose second differences differ by a multiple of the leg, and by `aside` of it."""
     points = CORNER.copy()
-    points[-2] = 2 * points[0] - points[1]
-    inv = RuledSurface(Bezier(points), "u - v", "u + v").invariants([0.0, 1.0])
+    points = np.insert(points, -2, points[-3], axis=0)
+    leg = points[1] - points[0]
+    points[-2] = points[0] - leg
+    points[-3] = points[2] - 4 * leg + 0.7 * leg + aside * np.array([-leg[1], leg[0]])
+    return RuledSurface(Bezier(points), "u - v", "u + v")
+
+
+@pytest.mark.parametrize("aside", [0.0, 1.0])
+def test_torsion_and_striction_jump_at_a_c1_seam_unless_the_curvature_agrees(aside: float) -> None:
+    """u″ and v″ need not agree: only u″v′ − u′v″ must."""
+    surface = seam(aside)
+    (_, d, dd), inv = (
+        surface.curve.series(np.array([0.0, 1.0]), 2).derivatives(),
+        surface.invariants([0.0, 1.0]),
+    )
+    np.testing.assert_allclose(d[:, 0], d[:, 1])
+    assert np.abs(dd[:, 0] - dd[:, 1]).max() > 1.0
+    jumps = [abs(float(np.subtract(*value))) for value in (inv.tau, inv.sigma)]
     assert inv.kappa[0] == pytest.approx(inv.kappa[1])
-    assert abs(inv.tau[0] - inv.tau[1]) > 0.1
-    assert abs(inv.sigma[0] - inv.sigma[1]) > 0.1
+    assert [jump > 0.05 for jump in jumps] == [bool(aside)] * 2
+    assert aside or max(jumps) < 1e-9
 
 
 def test_example_2() -> None:
@@ -881,5 +488,6 @@ def test_the_list_reads_well() -> None:
         assert note.place.startswith("§")
         assert note.text.strip()
     assert all(note.place and note.text.endswith(".") for note in TRIED)
+    assert str(TRIED[0]).startswith("A bound instead of a search: A simple loop")
     with pytest.raises(GeometryError, match="`key` must be one of x2bar_prime, "):
         finding("nonsense")

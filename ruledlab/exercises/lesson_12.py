@@ -329,6 +329,60 @@ def borrowed(draw: Draw) -> Choose:
     )
 
 
+def within_reach(draw: Draw) -> Choose:
+    """Ask which λ a loop in a rectangle of the chart can have at all."""
+    width, across = draw.one_of(((4, math.pi / 4), (3, math.pi / 3), (2, math.pi / 2)))
+    low, high, band = draw.one_of(
+        (
+            (r"\tfrac\pi4", r"\tfrac\pi2", math.sqrt(0.5)),
+            (r"\tfrac\pi3", r"\tfrac\pi2", 0.5),
+            (r"\tfrac\pi3", r"\tfrac{2\pi}3", 1.0),
+        )
+    )
+    area = across * band
+    turn = 2 * math.pi
+    options = (
+        Option(
+            f"${0.7 * area - turn:.3f}$",
+            rf"It is ${0.7 * area:.3f}-2\pi$: a loop of the area ${0.7 * area:.3f}$, less than "
+            rf"${area:.3f}$, has $\oint\tau\,dt=2\pi-\text{{area}}$.",
+            right=True,
+        ),
+        Option(
+            f"${1.5 * area:.3f}$",
+            rf"It is nearest to 0, but farther from it than ${area:.3f}$, the area of the whole "
+            "rectangle.",
+        ),
+        Option(
+            f"${turn - 1.4 * area:.3f}$",
+            rf"Modulo $2\pi$ this is $-{1.4 * area:.3f}$: no loop in the rectangle encloses so "
+            "much.",
+        ),
+        Option(
+            f"${-math.pi:.3f}$",
+            rf"Half a turn would need a loop of the area $\pi$; the rectangle has ${area:.3f}$.",
+        ),
+    )
+    return Choose(
+        question="All control points of a closed Bézier curve have "
+        rf"$0\le u\le\tfrac\pi{width}$ and ${low}\le v\le{high}$. The curve has no double point. "
+        r"Its $\bar u,\bar v$ and its degree are unknown. Which of these angles of pitch "
+        r"$\lambda$ is possible?",
+        options=options,
+        order=draw.shuffled(len(options)),
+        hints=(
+            r"How large an area can the curve enclose on the sphere? $\lambda$ is that area or its "
+            r"negative, up to whole turns.",
+            r"The rectangle has the area $\Delta u\,(\cos v_1-\cos v_2)$.",
+            rf"Which of them is within ${area:.3f}$ of a multiple of $2\pi$?",
+        ),
+        solution=rf"The curve stays in the rectangle, whose area is ${area:.4f}$, and "
+        r"$\lambda\equiv\pm$ area modulo $2\pi$. "
+        rf"Only ${0.7 * area - turn:.3f}={0.7 * area:.3f}-2\pi$ is near enough to a multiple of "
+        r"$2\pi$.",
+    )
+
+
 # -- numbers and formulas --------------------------------------------------------------------------
 
 
@@ -401,6 +455,21 @@ def constant(draw: Draw) -> Formula:
                 ("t",),
                 box,
             ),
+            known.formula(
+                "sign of ū_v",
+                f"{b}*(t*sin(2*t) + 2) + 2*{a}*sin(t)^2",
+                rf"Here $\bar u_v$ is taken as $+{a}$. It is $-{a}$, and the two terms with "
+                r"$\sin^2t$ cancel.",
+                ("t",),
+                box,
+            ),
+            known.formula(
+                "κ̄ for κκ̄",
+                f"{b}*(t*sin(2*t) + 2)/sqrt(1 + sin(t)^2)",
+                r"This is $\bar\kappa$. Asked for is $\kappa\bar\kappa$, without the root below.",
+                ("t",),
+                box,
+            ),
         ),
         because=r"$\sin^2t\,(\bar u_u+\bar u_v)=0$ and $\bar v_u+\bar v_v=2\cdot$ the factor of "
         r"$\bar v$.",
@@ -432,6 +501,11 @@ def striction_speed(draw: Draw) -> Number:
                 r"Here $\sin v\,(\bar uv'-\bar vu')$ was taken for $\bar\tau$, as (18) prints it. "
                 r"That is $\langle\mathbf c',\mathbf x\rangle$; the striction point has $\mu'$ "
                 "besides.",
+            ),
+            known.mistaken_for(
+                "square of the length",
+                value**2,
+                r"This is $\bar\tau^2+\bar\kappa^2$, the square of the speed.",
             ),
             known.mistaken_for(
                 "sum for length",
@@ -584,5 +658,6 @@ EXERCISES = (
     Exercise("12.8", "How fast the striction point moves", striction_speed),
     Exercise("12.9", "Where a slip hides", agreement),
     Exercise("12.10", "The difference in three lines", in_python),
+    Exercise("12.11", "Within reach", within_reach),
 )
 """The exercises in their order."""

@@ -246,19 +246,26 @@ def _htmls(count: int) -> list[Any]:
     return [w.HTML() for _ in range(count)]
 
 
+ALIGNED = "display:inline-block;min-width:6.5em"
+"""Of the words before both formulas, so that these stand one below the other."""
+
+
 def formulas_html(entry: Finding) -> str:
     """Return both formulas, and how the slip can be seen, for an HTMLMath."""
-    rows = "".join(
-        f'<p style="margin:6px 0;overflow-x:auto"><b>{word}</b>&emsp;'
-        f"\\(\\displaystyle {latex}\\)</p>"
-        for word, latex in (
-            ("as printed", html.escape(entry.printed_latex)),
-            ("mended", html.escape(entry.corrected_latex)),
-        )
-    )
+    rows = _formula("as printed", entry.printed_latex) + _formula("mended", entry.corrected_latex)
     where = gallery.example(entry.design).title
     only = f"<p>This speaks of <i>{html.escape(where)}</i> alone.</p>" if entry.only else ""
     return (
         f"{rows}<details><summary>How one can see it</summary><p>{html.escape(entry.how_to_see)}"
         f"</p><p>Do the two ever agree? {html.escape(entry.agreement)}</p>{only}</details>"
+    )
+
+
+def _formula(word: str, latex: str) -> str:
+    """Return one formula; what its letters stand for goes into a line of its own."""
+    formula, _, where = html.escape(latex).partition(r"\qquad\text{with }")
+    meaning = f'<p style="margin:2px 0 6px">with \\({where}\\)</p>' if where else ""
+    return (
+        f'<p style="margin:6px 0;overflow-x:auto"><b style="{ALIGNED}">{word}</b> '
+        f"\\(\\displaystyle {formula}\\)</p>{meaning}"
     )

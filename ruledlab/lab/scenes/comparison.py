@@ -238,7 +238,7 @@ PANELS = ((30.0, 190.0), (252.0, 96.0))
 def _rules(theme: Theme) -> str:
     where = 'body[data-jp-theme-light="false"] ' if theme.dark else ""
     kinds = {
-        "text": f"fill:{theme.ink};stroke:none;font-size:13px",
+        "text": f"fill:{theme.ink};stroke:none;font-size:15px",
         ".is-grid": f"stroke:{theme.grid}",
         ".is-none": f"fill:{theme.faint};opacity:.2;stroke:none",
         ".is-printed": f"stroke:{theme.ink};stroke-width:2;stroke-dasharray:7 4",
@@ -296,7 +296,7 @@ def picture(made: Comparison, limits: Sequence[Limits], cursor: float, words: st
 
 def number_lines(made: Comparison, words: str) -> str:
     """Return each value as two marks on a line of numbers, as SVG."""
-    parts = [_text(LEFT, 20, "□ as printed"), _text(LEFT + 130, 20, "● mended")]
+    parts = [_text(LEFT, 20, "□ as printed"), _text(LEFT + 150, 20, "● mended")]
     pairs = zip(made.names, made.printed, made.mended, strict=True)
     for row, ((name, unit), printed, mended) in enumerate(pairs):
         y = 66.0 + 74 * row
