@@ -7,7 +7,7 @@ import re
 import subprocess
 import sys
 import threading
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from types import SimpleNamespace
 from typing import Any
 from xml.etree import ElementTree
@@ -32,6 +32,7 @@ from ruledlab.lab.plots import (
     number_ticks,
     parameter_ticks,
     peaks,
+    roomy_limits,
     sticky_limits,
     undefined_ranges,
 )
@@ -182,6 +183,27 @@ def test_a_constant_with_a_spike_keeps_its_own_scale_and_a_zero_with_one_shows_i
 def test_an_ordinary_hump_is_shown_whole():
     hump = np.exp(-(((T - 0.5) / 0.1) ** 2))
     assert sticky_limits(hump).hold(0, 1)
+
+
+@given(st.floats(1e-6, 1e6), st.floats(0.5, 1.5))
+def test_a_length_that_changes_keeps_its_axis_while_it_fills_most_of_it(end, factor):
+    first = roomy_limits(end)
+    assert first.low == 0.0 < end < first.high < 1.2 * end
+    again = roomy_limits(factor * end, first)
+    assert factor * end <= again.high < 1.26 * factor * end
+    if 0.8 * first.high <= factor * end <= first.high:
+        assert again == first
+
+
+def test_over_a_length_only_what_changed_is_typeset_again(plots):
+    scene = smooth()
+    plots.draw(replace(scene, t=4.0 * scene.t), mark(0.5), over="s")
+    axes = plots.widget.strips
+    plots.draw(replace(scene, t=4.1 * scene.t), mark(0.5), over="s")
+    assert plots.widget.strips == axes
+    assert plots.widget.summary.startswith("Plots over s from 0 to 4.1:")
+    plots.draw(replace(scene, t=6.0 * scene.t), mark(0.5), over="s")
+    assert plots.widget.strips != axes
 
 
 def test_limits_of_a_curve_without_values():

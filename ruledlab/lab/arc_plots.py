@@ -50,7 +50,9 @@ class ArcPlots(CurvePlots):
 
     def t_of(self, place: float) -> float:
         """Return the t of a place on the axis."""
-        return place if self.length is None else float(self.length.t(place))
+        if self.length is None:
+            return place
+        return float(self.length.t(min(place, self.length.total)))
 
     def _moved(self, mark: Mark) -> Mark:
         return mark if self.length is None else mark_over_arc(mark, float(self.length.s(mark.t)))
@@ -59,10 +61,8 @@ class ArcPlots(CurvePlots):
 def axis_note(length: StrictionLength | None) -> str:
     """Say what the plots are drawn over, and what that makes of the invariants."""
     said = (
-        "Over the parameter t: κ, κ̄, τ, τ̄ for each unit of t."
+        "For each unit of t: κ, κ̄, τ, τ̄."
         if length is None
-        else f"Over the arc length s of the striction curve, 0 … {length.total:.4g}: κ/s′, κ̄/s′ = "
-        "sin σ, τ/s′, τ̄/s′ = cos σ with s′ = √(κ̄² + τ̄²), and σ, δ as they are. The same "
-        "rulings run through more slowly or faster give the same curves."
+        else f"For each unit of s (0 … {length.total:.4g}): κ, κ̄ = sin σ, τ, τ̄ = cos σ."
     )
     return f'<div class="ruledlab-note">{said}</div>'

@@ -136,6 +136,7 @@ _ZERO = 1e-12  # size below which a curve is zero
 _HUGE = 1e100  # beyond it a value is not drawn
 _SPIKE = 8.0  # full range over inner range from which on a curve has a spike
 _USED = 0.4  # part of the present limits that fresh ones must need for the present to be kept
+_FILLED = 0.8  # part of the present axis that a growing parameter must fill for it to be kept
 _MARGIN = 0.06  # white space above and below, as part of the range
 
 
@@ -237,6 +238,13 @@ def sticky_limits(values: Array, present: Limits | None = None, *, angle: bool =
     if present and present.hold(*shown) and _USED * present.span <= fresh.span:
         return present
     return fresh
+
+
+def roomy_limits(end: float, present: Limits | None = None) -> Limits:
+    """Return limits from 0 to a little beyond a positive end, the present ones while they serve."""
+    if present and present.low == 0.0 and _FILLED * present.high <= end <= present.high:
+        return present
+    return Limits(0.0, _rounded((1 + _MARGIN) * end, math.floor(math.log10(end)) - 1, math.ceil))
 
 
 # --------------------------------------------------------------------------------------- ticks
@@ -582,6 +590,7 @@ class CurvePlots:
         self._theme = theme
         self._over = "t"
         self._t = np.array([0.0, 1.0])
+        self._across = Limits(0.0, 1.0)
         self._curves: Mapping[str, Array] = {}
         self._gaps: tuple[str, ...] = ()
         self._mark: Mark | None = None
@@ -609,6 +618,7 @@ class CurvePlots:
         """
         with self._lock:
             self._over = over
+            self._across = self._limits_across(np.asarray(scene.t, dtype=float))
             self._t = np.asarray(scene.t, dtype=float)
             self._curves, self._gaps = scene.curves, tuple(scene.gaps)
             self._mark = mark or self._mark
@@ -689,14 +699,17 @@ class CurvePlots:
     def _picked(self, change: Mapping[str, Any]) -> None:
         match change["new"]:
             case [_, int() | float() as t] if math.isfinite(t):
-                across = self._across()
+                across = self._across
                 for callback in tuple(self._callbacks):
                     callback(min(max(float(t), across.low), across.high))
 
     # -- how it is drawn
 
-    def _across(self) -> Limits:
-        low, high = (float(self._t[0]), float(self._t[-1])) if self._t.size else (0.0, 1.0)
+    def _limits_across(self, t: Array) -> Limits:
+        """Return the ends of the parameter; of a length, which any move changes, a rounder end."""
+        low, high = (float(t[0]), float(t[-1])) if t.size else (0.0, 1.0)
+        if self._over != "t" and low == 0.0 < high:
+            return roomy_limits(high, self._across)
         return Limits(low, high if high > low else low + 1.0)
 
     def _values(self, name: str) -> Array:
@@ -712,7 +725,7 @@ class CurvePlots:
             _Strip(
                 QUANTITIES[name],
                 self._limits[name],
-                self._across(),
+                self._across,
                 self._over,
                 width,
                 theme,
@@ -765,7 +778,7 @@ class CurvePlots:
         return (_TOP + _FRAME + _BOTTOM) * self._names.index(strip.quantity.name)
 
     def _frame(self) -> dict[str, Any]:
-        strips, across, theme = tuple(self._painted), self._across(), self._theme
+        strips, across, theme = tuple(self._painted), self._across, self._theme
         return {
             "width": strips[0].width,
             "height": sum(strip.height for strip in strips),
@@ -810,10 +823,9 @@ class CurvePlots:
         return note
 
     def _in_words(self) -> str:
-        across = self._across()
-        over = self._over
+        over, (first, *_, last) = self._over, self._t if self._t.size > 1 else (0.0, 1.0)
         curves = (_in_words(self._t, self._values(n), QUANTITIES[n], over) for n in self._names)
-        start = f"Plots over {over} from {_number(across.low)} to {_number(across.high)}:"
+        start = f"Plots over {over} from {_number(first)} to {_number(last)}:"
         return " ".join((start, *curves, *self._gaps))
 
     def _cursor(self) -> dict[str, Any]:
@@ -838,7 +850,7 @@ class CurvePlots:
         }
 
     def _t_text(self, t: float) -> str:
-        decimals = max(0, 3 - math.floor(math.log10(self._across().span)))
+        decimals = max(0, 3 - math.floor(math.log10(self._across.span)))
         return _minus(f"{t:.{min(decimals, 9)}f}")
 
 

@@ -38,21 +38,6 @@ MOST: Final = 12
 BESIDE: Final = 1e-4
 """How far beside a ruling without a striction point one is looked for, in parts of the domain."""
 
-STYLE: Final = (
-    ".ruledlab .ruledlab-now td:nth-child(2){min-width:4.8em}"
-    ".ruledlab .ruledlab-now td:nth-child(4){min-width:6em;font-weight:600;padding-right:0}"
-    ".ruledlab .ruledlab-sides{border-collapse:collapse;font-size:13px;color:inherit}"
-    ".ruledlab .ruledlab-sides :is(th,td){text-align:left;white-space:nowrap;"
-    "padding:1px 14px 1px 0;font-weight:normal}"
-    "@container (max-width:760px){.ruledlab .ruledlab-sides{display:block}"
-    ".ruledlab .ruledlab-sides tbody{display:block}"
-    ".ruledlab .ruledlab-sides tr{display:flex;flex-flow:row wrap;padding-bottom:6px}"
-    ".ruledlab .ruledlab-sides tr:first-child{display:none}"
-    ".ruledlab .ruledlab-sides :is(td,th){flex:0 1 auto;min-width:0;white-space:normal}"
-    ".ruledlab .ruledlab-sides td::before{content:attr(data-name) ' ';opacity:.7}}"
-)
-"""A table; on a narrow page the cells of a row follow each other, each with its name."""
-
 EQUATIONS: Final = (
     ("x₁′ = κx₂", "x̄₁′ = κ̄x₂ + κx̄₂"),
     ("x₂′ = −κx₁ + τx₃", "x̄₂′ = −κ̄x₁ + τ̄x₃ − κx̄₁ + τx̄₃"),
@@ -178,7 +163,7 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
         + "</tr>"
         for first, *rest in rows
     )
-    return f'<style>{STYLE}</style><table class="ruledlab-sides"><tr>{top}</tr>{body}</table>'
+    return f'<table class="ruledlab-sides"><tr>{top}</tr>{body}</table>'
 
 
 def _vector(entries: Array) -> str:
@@ -220,7 +205,7 @@ def numbers_html(now: Mapping[str, float], before: Mapping[str, float] | None = 
         body += (
             f"<tr><td>{word} <i>{symbol}</i></td><td>{value}</td><td>{unit}</td><td>{was}</td></tr>"
         )
-    return f'<style>{STYLE}</style><table class="ruledlab-numbers ruledlab-now">{body}</table>'
+    return f'<table class="ruledlab-numbers ruledlab-now">{body}</table>'
 
 
 def compared_words(word: str, before: Mapping[str, float], after: Mapping[str, float]) -> str:
