@@ -29,6 +29,7 @@ REFUSED = {
     "": (0, "empty; write"),
     " \t ": (0, "empty; write"),
     "x + 1": (0, "unknown name 'x'"),
+    "banana": (0, "unknown name 'banana' at column 1; known are"),
     "u + x": (4, "unknown name 'x' at column 5; known are u, v, pi, e and sqrt"),
     "u^2": (1, "write **"),
     "2u": (1, "write 2*u"),

@@ -17,13 +17,13 @@ pytest.importorskip("pythreejs")
 
 from ruledlab.design import Design
 from ruledlab.exercises import core, lesson_03
-from ruledlab.geometry import GeometryError, RuledSurface, gallery, vector
+from ruledlab.geometry import GeometryError, RuledSurface, common_perpendicular, gallery, vector
 from ruledlab.lab.apps.lesson_03 import MovingLine, moving_line
 from ruledlab.lab.overlay import pack
 from ruledlab.lab.palette import DARK, LIGHT
 from ruledlab.lab.scenes import moving
 from ruledlab.lab.scenes.moving import STARTS, Motion, Moving, near, picture, said, start, words
-from ruledlab.lab.scenes.shrinking import order, shrinking, shrinking_svg
+from ruledlab.lab.scenes.shrinking import ahead, order, shrinking, shrinking_svg
 
 BY_KEY = {entry.key: entry for entry in STARTS}
 TYPED = [entry for entry in STARTS if entry.moving.kind != "gallery"]
@@ -147,7 +147,7 @@ def test_what_is_drawn_lies_where_it_should(entry: moving.Start) -> None:
     motion.edit("slide", slide=0.4)
     pair, surface = motion.near, motion.result.surface
     assert start(motion.value) == entry
-    here, beyond = surface.line(pair.t), surface.line(pair.t + pair.h)
+    here, beyond = surface.line(pair.t), surface.line(float(ahead(surface, pair.t, pair.h)))
     for point, line in ((pair.base, here), (pair.foot, here), (pair.far_foot, beyond)):
         agree(line.distance_to(point), 0.0, 1e-6)
     drawn = picture(motion.result, pair)
@@ -208,6 +208,24 @@ def test_the_orders_are_those_of_geometry(
     for name, expected in zip(("angle", "distance", "off"), orders, strict=True):
         p = order(found, name)
         assert (p == pytest.approx(expected, abs=0.1)) if expected else math.isnan(p), name
+
+
+def test_round_the_seam_of_a_closed_surface_the_neighbour_is_on_it() -> None:
+    surface = gallery.surface("example_2")
+    step = 0.08
+    assert ahead(surface, 0.5, step) == 0.58
+    assert ahead(surface, 0.97, step) == pytest.approx(0.05)
+    chosen = Moving("gallery", "example_2", exponent=math.log10(step))
+    pair = near(moving.moved(chosen), 0.97)
+    expected = common_perpendicular(surface.line(0.97), surface.line(0.05))
+    assert pair.angle == pytest.approx(float(expected.angle), rel=1e-12)
+    assert pair.distance == pytest.approx(float(expected.distance), rel=1e-12)
+    np.testing.assert_allclose(pair.beyond, surface.line(0.05).direction)
+
+
+@pytest.mark.parametrize("key", ["right_helicoid", "moebius"])
+def test_where_the_line_does_not_come_back_the_formulas_go_on(key: str) -> None:
+    assert ahead(gallery.surface(key), 0.97, 0.08) == pytest.approx(1.05)
 
 
 def test_the_orders_are_said_and_drawn_in_both_themes(app: MovingLine) -> None:

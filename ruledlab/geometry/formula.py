@@ -26,6 +26,9 @@ __all__ = ["FormulaError", "Source", "parsed"]
 LONGEST = 500
 """Characters a formula may have; this also bounds the number of its parts."""
 
+LIKE = 0.7
+"""How much a name must be like a known one to be taken for it: 0 not at all, 1 the same."""
+
 MOST_BRACKETS = 50
 """Brackets that may be open at once."""
 
@@ -433,7 +436,7 @@ def _suggestion(name: str, kind: str) -> str:
 
 def _nearest(name: str) -> str:
     known = [word for word in (*FUNCTIONS, *_INSTEAD) if len(word) > 2]
-    for near in difflib.get_close_matches(name, known, 1):
+    for near in difflib.get_close_matches(name, known, 1, LIKE):
         return _INSTEAD.get(near, f"did you mean {near}?")
     return _KNOWN
 

@@ -22,6 +22,7 @@ from ...geometry.vector import vector
 from ..overlay import Dot, Label, Overlay, Stroke
 from ..scene import Scene, build_scene, plain_scene
 from ..slate import Change, Slate
+from .shrinking import ahead
 
 __all__ = ["STARTS", "Motion", "Moved", "Moving", "Near", "near", "picture", "start", "words"]
 
@@ -293,10 +294,11 @@ class Near:
 
 @np.errstate(all="ignore")
 def near(result: Moved, t: float) -> Near:
-    """Compare the ruling at t with the one at t + h."""
+    """Compare the ruling at t with the one at t + h, on a closed surface round the seam."""
     surface, h = result.surface, result.moving.h
-    sample, both = surface.sample(t), surface.line(np.array([t, t + h]))
-    common = surface.neighbours(t, h)
+    place = float(ahead(surface, t, h))
+    sample, both = surface.sample(t), surface.line(np.array([t, place]))
+    common = surface.neighbours(t, place - t)
     angle, distance = float(common.angle), float(common.distance)
     parallel = not np.sin(angle) > 1e-9  # no foot is nearer to m than another
     foot, far = (np.full(3, np.nan) if parallel else f for f in (common.foot_a, common.foot_b))
@@ -334,7 +336,7 @@ def picture(result: Moved, pair: Near) -> Overlay:
     centre = beside + ((middle - beside) @ pair.beyond) * pair.beyond
     second = _piece(centre, pair.beyond, half, (pair.far_foot,))
     if not np.isfinite(pair.far_foot).all():  # parallel: no foot to begin from
-        other = result.surface.line(pair.t + pair.h)
+        other = result.surface.line(float(ahead(result.surface, pair.t, pair.h)))
         second = _piece(other.point((middle - other.foot) @ other.direction), pair.beyond, half, ())
     between = np.stack([pair.foot, pair.far_foot])
     return Overlay(

@@ -17,7 +17,7 @@ from ...geometry.checks import Array
 from ...geometry.surface import RuledSurface
 from ..palette import Theme
 
-__all__ = ["Shrinking", "order", "orders_html", "shrinking", "shrinking_svg"]
+__all__ = ["Shrinking", "ahead", "order", "orders_html", "shrinking", "shrinking_svg"]
 
 STEPS: Final = 10.0 ** np.linspace(-3.0, -0.3, 28)
 NAMES: Final = {
@@ -53,10 +53,19 @@ class Shrinking:
     off: Array
 
 
+def ahead(surface: RuledSurface, t: float, h: float | Array) -> Array:
+    """Return t + h; beyond the end of a surface that closes, where that ruling is on it."""
+    start, end = surface.domain
+    place = np.asarray(t + h, dtype=float)
+    if (place <= end).all() or not surface.closure().oriented:
+        return place
+    return np.where(place > end, place - (end - start), place)
+
+
 @np.errstate(all="ignore")
 def shrinking(surface: RuledSurface, t: float, h: Array = STEPS) -> Shrinking:
-    """Compare the ruling at t with those at t + h."""
-    pair = surface.neighbours(t, h)
+    """Compare the ruling at t with those at t + h, on a closed surface round the seam."""
+    pair = surface.neighbours(t, ahead(surface, t, h) - t)
     parallel = ~(np.sin(pair.angle) > 1e-9)
     off = np.linalg.norm(pair.foot_a - surface.striction(t), axis=-1)
     return Shrinking(h, pair.angle, np.abs(pair.distance), np.where(parallel, np.nan, off))
