@@ -14,9 +14,9 @@ pytest.importorskip("pythreejs")
 
 import ipywidgets
 
-from ruledlab.lab.handles import Eye, Grip, Handles
+from ruledlab.lab.handles import Grip, Handles
 from ruledlab.lab.palette import DARK, LIGHT
-from ruledlab.lab.sight import FIELD_OF_VIEW
+from ruledlab.lab.sight import FIELD_OF_VIEW, Eye
 from ruledlab.lab.view3d import SurfaceView
 
 coordinate = st.floats(-3, 3)
@@ -28,7 +28,7 @@ def eye_at(position, target):
     view = SurfaceView(600, 400)
     view.frame(target, 2.0)
     handles = Handles(view)
-    found = handles.eye
+    found = handles._view.eye
     handles.close()
     view.close()
     return Eye(np.array(position, dtype=float), found.quaternion, found.size)
@@ -45,13 +45,13 @@ def handles():
 
 
 def test_what_the_view_looks_at_is_in_the_middle(handles):
-    x, y, depth = handles.eye.seen(np.array([0.5, -1.0, 0.25]))
+    x, y, depth = handles._view.eye.seen(np.array([0.5, -1.0, 0.25]))
     assert (x, y) == pytest.approx((300, 200))
-    assert depth == pytest.approx(np.linalg.norm(handles.eye.position - (0.5, -1.0, 0.25)))
+    assert depth == pytest.approx(np.linalg.norm(handles._view.eye.position - (0.5, -1.0, 0.25)))
 
 
 def test_the_upper_edge_is_half_the_field_of_view_away(handles):
-    eye = handles.eye
+    eye = handles._view.eye
     edge, middle = eye.at(300, 0, 5.0) - eye.position, eye.at(300, 200, 5.0) - eye.position
     cosine = edge @ middle / np.linalg.norm(edge) / np.linalg.norm(middle)
     assert math.degrees(math.acos(cosine)) == pytest.approx(FIELD_OF_VIEW / 2)
@@ -80,7 +80,7 @@ EYE = eye_at((4, -8, 4), (0, 0, 0))
 
 
 def test_a_place_behind_the_eye_is_not_shown(handles):
-    back = handles.eye.at(300, 200, -1.0)
+    back = handles._view.eye.at(300, 200, -1.0)
     handles.draw([Grip(back, "point", "kappa", "behind"), Grip(np.zeros(3), "point", "tau", "on")])
     behind, shown = handles.picture["handles"]
     assert behind["x"] is None
@@ -95,9 +95,9 @@ def test_what_is_asked_for_is_under_the_pointer_at_the_same_depth(handles):
     handles.motion = ["view", 3, 1, 120, 310.5]
     (grasp,) = asked
     assert (grasp.index, grasp.drag) == (1, ("view", 3))
-    x, y, depth = handles.eye.seen(grasp.place)
+    x, y, depth = handles._view.eye.seen(grasp.place)
     assert (x, y) == pytest.approx((120, 310.5))
-    assert depth == pytest.approx(handles.eye.seen(places[1])[2])
+    assert depth == pytest.approx(handles._view.eye.seen(places[1])[2])
 
 
 @pytest.mark.parametrize(

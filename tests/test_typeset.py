@@ -37,7 +37,7 @@ TYPESET = {
     "exp(u)**2": r"\left(\mathrm{e}^{u}\right)^{2}",
     "e**u": r"\mathrm{e}^{u}",
     "abs(u - v)": r"\left|u - v\right|",
-    "log(u)": r"\ln(u)",
+    "log(u)": r"\log(u)",
     "atan2(v, u)": r"\operatorname{arctan2}(v, u)",
     "acos(u)": r"\arccos(u)",
     "u**v**2": "u^{v^{2}}",

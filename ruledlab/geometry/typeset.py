@@ -11,7 +11,7 @@ from .formula import ALIASES, ASCII_PI
 __all__ = ["latex"]
 
 _SUM, _SIGNED, _PRODUCT, _POWER, _ATOM = range(5)
-_OPERATOR_NAMES = {"arctan2": r"\operatorname{arctan2}", "log": r"\ln"}
+_OPERATOR_NAMES = {"arctan2": r"\operatorname{arctan2}"}
 _RAISED = ("sin", "cos", "tan", "sinh", "cosh", "tanh")
 
 

@@ -14,19 +14,17 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import anywidget
-import numpy as np
 import traitlets
 
 from ..geometry.checks import Array
 from .palette import DARK, LIGHT, Theme
-from .sight import FIELD_OF_VIEW, turned
+from .sight import NEAREST, Eye
 from .view3d import SurfaceView
 
-__all__ = ["Eye", "Grasp", "Grip", "Handles"]
+__all__ = ["Grasp", "Grip", "Handles"]
 
 _STATIC: Final = pathlib.Path(__file__).parent / "static"
 _COLOURS: Final = ("kappa", "tau", "sigma", "delta")
-NEAREST: Final = 1e-6
 
 
 def _style(theme: Theme) -> str:
@@ -77,47 +75,6 @@ class Grasp:
     drag: tuple[str, int]
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Eye:
-    """A camera with a picture of ``size`` pixels.
-
-    Attributes
-    ----------
-    position, quaternion
-        where it stands, and the turn (x, y, z, w) that takes it there from looking along −z.
-    size
-        width and height of the picture.
-    """
-
-    position: Array
-    quaternion: Array
-    size: tuple[float, float]
-
-    @property
-    def _axes(self) -> Array:
-        """Right, up and backwards, as rows."""
-        return np.array([turned(self.quaternion, axis) for axis in np.eye(3)])
-
-    @property
-    def _scale(self) -> float:
-        """Pixels for a unit of length at the depth 1."""
-        return 0.5 * self.size[1] / math.tan(math.radians(FIELD_OF_VIEW / 2))
-
-    def seen(self, point: Array) -> tuple[float, float, float]:
-        """Return where a point is in the picture, from its upper left corner, and its depth."""
-        right, up, back = self._axes @ (point - self.position)
-        depth = max(-float(back), NEAREST)
-        x, y = (self._scale * float(part) / depth for part in (right, up))
-        return 0.5 * self.size[0] + x, 0.5 * self.size[1] - y, -float(back)
-
-    def at(self, x: float, y: float, depth: float) -> Array:
-        """Return the point of space at a place of the picture, in a given depth."""
-        aside = (x - 0.5 * self.size[0], 0.5 * self.size[1] - y)
-        place = np.array([*aside, -self._scale]) * depth / self._scale
-        there: Array = self.position + place @ self._axes
-        return there
-
-
 class Handles(anywidget.AnyWidget):
     """Handles in the picture of a view; a box with the class ``ruledlab-space`` holds both.
 
@@ -139,20 +96,12 @@ class Handles(anywidget.AnyWidget):
         self._listeners: list[Callable[[Grasp], None]] = []
         super().__init__()
         self.observe(self._asked, "motion")
-        view._camera.observe(self._look, "position")
-        self._follows = True
-
-    @property
-    def eye(self) -> Eye:
-        """The view's camera, as the browser has reported it last."""
-        camera, canvas = self._view._camera, self._view._renderer
-        size = float(canvas.width), float(canvas.height)
-        return Eye(np.array(camera.position), np.array(camera.quaternion), size)
+        self._unfollow = view.on_turn(lambda: self.draw(self._grips))
 
     def draw(self, grips: Sequence[Grip]) -> None:
         """Show handles in place of those shown before."""
         self._grips = tuple(grips)
-        eye = self.eye
+        eye = self._view.eye
         handles = [_handle(grip, eye) for grip in self._grips]
         self.picture = {"size": list(eye.size), "handles": handles}
 
@@ -163,23 +112,18 @@ class Handles(anywidget.AnyWidget):
 
     def close(self) -> None:
         """Leave the camera alone and remove the handles from every page."""
-        if self._follows:
-            self._view._camera.unobserve(self._look, "position")
-        self._follows = False
+        self._unfollow()
         self._listeners.clear()
         self.unobserve_all()
         self.layout.close()
         super().close()
-
-    def _look(self, _change: Any) -> None:
-        self.draw(self._grips)
 
     def _asked(self, change: Mapping[str, Any]) -> None:
         match change["new"]:
             case [str(view), int(drag), int(index), float() | int() as x, float() | int() as y] if (
                 0 <= index < len(self._grips) and math.isfinite(x) and math.isfinite(y)
             ):
-                eye = self.eye
+                eye = self._view.eye
                 *_, depth = eye.seen(self._grips[index].place)
                 place = eye.at(float(x), float(y), depth)
                 for listener in tuple(self._listeners):

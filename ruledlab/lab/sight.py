@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
@@ -12,6 +13,7 @@ from ruledlab.lab.scene import Scene
 from ruledlab.lab.textures import centre_of, ends_of, finite, radius_of
 
 __all__ = [
+    "Eye",
     "away",
     "azimuth_for",
     "distance_to_see",
@@ -30,6 +32,7 @@ CLEARLY: Final = 1.05
 LEVEL: Final = 0.2  # a mean direction with a smaller horizontal part says nothing about the azimuth
 OUTLYING: Final = 1.8  # radii of a scene within which all ends of rulings are brought into sight
 MARGIN: Final = 1.04
+NEAREST: Final = 1e-6  # the least depth of what is seen
 
 
 def looking(away: Array) -> tuple[float, ...]:
@@ -148,3 +151,44 @@ def first_hit(scene: Scene, eye: Array, way: Array) -> tuple[float, float] | Non
         return None
     nearest = good[np.argmin(depth[good])]
     return float(t[nearest]), float(w[nearest])
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Eye:
+    """A camera with a picture of ``size`` pixels.
+
+    Attributes
+    ----------
+    position, quaternion
+        where it stands, and the turn (x, y, z, w) that takes it there from looking along −z.
+    size
+        width and height of the picture.
+    """
+
+    position: Array
+    quaternion: Array
+    size: tuple[float, float]
+
+    @property
+    def _axes(self) -> Array:
+        """Right, up and backwards, as rows."""
+        return np.array([turned(self.quaternion, axis) for axis in np.eye(3)])
+
+    @property
+    def _scale(self) -> float:
+        """Pixels for a unit of length at the depth 1."""
+        return 0.5 * self.size[1] / math.tan(math.radians(FIELD_OF_VIEW / 2))
+
+    def seen(self, point: Array) -> tuple[float, float, float]:
+        """Return where a point is in the picture, from its upper left corner, and its depth."""
+        right, up, back = self._axes @ (point - self.position)
+        depth = max(-float(back), NEAREST)
+        x, y = (self._scale * float(part) / depth for part in (right, up))
+        return 0.5 * self.size[0] + x, 0.5 * self.size[1] - y, -float(back)
+
+    def at(self, x: float, y: float, depth: float) -> Array:
+        """Return the point of space at a place of the picture, in a given depth."""
+        aside = (x - 0.5 * self.size[0], 0.5 * self.size[1] - y)
+        place = np.array([*aside, -self._scale]) * depth / self._scale
+        there: Array = self.position + place @ self._axes
+        return there

@@ -12,6 +12,7 @@ import html
 import math
 import pathlib
 from collections.abc import Callable
+from contextlib import ExitStack
 from typing import Any, Literal, get_args
 
 import anywidget
@@ -619,6 +620,23 @@ class SurfaceView:
         self._controls.target = tuple(float(p) for p in centre)
         self._everywhere(period=self._period)
         self._send_mark()
+
+    @property
+    def eye(self) -> sight.Eye:
+        """The camera, as the browser has reported it last."""
+        size = float(self._renderer.width), float(self._renderer.height)
+        return sight.Eye(np.array(self._camera.position), np.array(self._camera.quaternion), size)
+
+    def on_turn(self, callback: Callable[[], object]) -> Callable[[], None]:
+        """Call back when the camera has moved; return the function that ends this."""
+
+        def turned(_change: dict[str, Any]) -> None:
+            callback()
+
+        self._camera.observe(turned, "position")
+        ends = ExitStack()  # closing it a second time does nothing
+        ends.callback(self._camera.unobserve, turned, "position")
+        return ends.close
 
     # ---- picking
 

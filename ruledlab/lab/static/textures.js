@@ -26,6 +26,9 @@ function initialize({ model }) {
   const fresh = new Set();
   const changed = new Set();
   let carrying = Promise.resolve();
+  // Versions of our own: pythreejs sets a texture's back to 2 soon after it was made, and the picture
+  // would take the next 3 for the one it has.
+  let version = 1000;
 
   async function put(name) {
     const { into, data } = model.get(name);
@@ -35,7 +38,7 @@ function initialize({ model }) {
     const values = floats(data);
     texture.get("data").data.set(values); // what pythreejs returns to when anything else changes
     texture.obj.image.data.set(values);
-    texture.obj.needsUpdate = true;
+    texture.obj.version = ++version;
   }
 
   async function carry() {
