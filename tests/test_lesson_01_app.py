@@ -83,6 +83,30 @@ def test_the_tangent_runs_through_the_point_however_steep_it_is() -> None:
         assert line["y1"] + line["y2"] == pytest.approx(2 * point["cy"], abs=0.05)
 
 
+@pytest.mark.parametrize("x_bar", [0.8, -0.8])
+@pytest.mark.parametrize("x", [1.3, -1.3])
+def test_the_words_stand_outside_of_the_triangle(x: float, x_bar: float) -> None:
+    """x̄ on the other side of the step than the tip, x̄ f′(x) on the other side of the rise."""
+    tree = drawn("x**2", x, x_bar, Limits(-2.0, 8.0))
+    step, rise = part(tree, "step"), part(tree, "rise")
+    words_at = {
+        kind: next(node for node in tree.iter() if node.get("class") == kind)
+        for kind in ("step-word", "rise-word")
+    }
+    below = float(words_at["step-word"].get("y")) > step["y1"]
+    assert below == (rise["y2"] < step["y1"])
+    right = words_at["rise-word"].get("text-anchor") == "start"
+    assert right == (float(words_at["rise-word"].get("x")) > rise["x1"]) == (x_bar > 0)
+
+
+def test_a_dual_number_may_be_written_with_epsilon() -> None:
+    task = find("01.1").task()
+    real, dual = task.answer
+    for text in (f"{real} + {dual} eps", f"{real}+{dual}ε", f"[{real}, {dual}]", Dual(real, dual)):
+        assert task.judge(text).right, text
+    assert not task.judge(f"{real} - {dual} eps").right
+
+
 def test_the_ring_is_on_the_graph_and_the_tip_is_not() -> None:
     tree = drawn("x**2", 1.5, 0.5, Limits(0.0, 8.0))
     ring, tip = part(tree, "beyond"), part(tree, "tip")

@@ -46,7 +46,7 @@ def test_a_slider_goes_to_both_ends_and_back(app, name):
         for end in NUMBERS[key][1]:
             control.slider.value = end
             assert getattr(getattr(app.slate.value, name), key) == pytest.approx(end, abs=0.01)
-            # line B runs along the x-axis: its given point slides along it, and nothing follows
+            # line B is parallel to the x-axis: its given point slides along it, and nothing follows
             assert (shown(app) == said) == ((name, key) == ("b", "x"))
             assert not control.error.value
         control.field.value = repr(getattr(getattr(before, name), key))

@@ -1,4 +1,4 @@
-"""Exercises of lesson 00: reading the notation, and the first lines of Python."""
+"""Exercises of lesson 00: reading the notation, the chart, and the first lines of Python."""
 
 from __future__ import annotations
 
@@ -6,9 +6,25 @@ import math
 
 import numpy as np
 
+from ..design import Design
 from ..geometry import gallery
+from ..geometry.checks import Array
 from . import misconceptions as known
-from .core import Choose, Code, Draw, Exercise, FindSlip, Formula, Line, Number, Option
+from .core import (
+    Choose,
+    Code,
+    Condition,
+    Drag,
+    Draw,
+    Exercise,
+    FindSlip,
+    Formula,
+    Line,
+    Made,
+    Misconception,
+    Number,
+    Option,
+)
 
 __all__ = ["EXERCISES"]
 
@@ -101,6 +117,12 @@ def direction(draw: Draw) -> Number:
         label="x =",
         slips=(
             known.mistaken_for("u and v exchanged", swapped, "Here $u$ and $v$ are exchanged."),
+            known.mistaken_for(
+                "latitude for colatitude",
+                [math.cos(u) * math.cos(v), math.sin(u) * math.cos(v), math.sin(v)],
+                "So it would be if $v$ were the latitude, counted from the equator. Our $v$ is "
+                r"counted from the north pole: for $v=0$ the direction is $(0,0,1)$.",
+            ),
         ),
         because="Its length is 1, as it must be.",
         hints=(
@@ -122,7 +144,15 @@ def moment(draw: Draw) -> Number:
         answer=value,
         label="x̄ =",
         unit="length",
-        slips=(known.moment_sign(value),),
+        slips=(
+            known.moment_sign(value),
+            known.mistaken_for(
+                "foot point for moment",
+                [x, y, 0.0],
+                "This is the foot point, the point of the line that is nearest to the origin. The "
+                "moment stands at a right angle to it.",
+            ),
+        ),
         because="The height 7 does not matter: every point of the line gives the same moment.",
         hints=(
             r"$\bar{\mathbf x}=\mathbf c\times\mathbf x$, in this order.",
@@ -245,6 +275,94 @@ def slip(draw: Draw) -> FindSlip:
     )
 
 
+# -- the ends of a curve ---------------------------------------------------------------------------
+
+AXES = (("x", 0.0), ("y", math.pi / 2), ("-x", math.pi))
+"""Directions on the equator: the name of the half axis, and its longitude."""
+
+WITHIN = 3.0  # degrees
+
+
+def ends(draw: Draw) -> Drag:
+    """Ask for a surface with a given first and a given last direction."""
+    at = draw.integer(0, 1)
+    (first, u), (last, end) = AXES[at], AXES[at + 1]
+    start = Design(
+        tuple((u + step, v) for step, v in ((0.5, 0.8), (0.6, 0.4), (1.1, 0.4), (1.2, 0.9))),
+        name="somewhere in the north",
+    )
+    inner = start.points[1:-1]
+    model = start.with_(points=((u, math.pi / 2), *inner, (end, math.pi / 2)))
+
+    def conditions(made: Made) -> tuple[Condition, ...]:
+        return (
+            _points_along(made, 0, first, _equator(u)),
+            _points_along(made, 1, last, _equator(end)),
+        )
+
+    return Drag(
+        question=f"The moving line shall begin, at $t=0$, in the direction of the ${first}$-axis, "
+        f"and end, at $t=1$, in that of the ${last}$-axis. What it does between the two is free. "
+        "Drag the control points.",
+        start=start,
+        model=model,
+        conditions=conditions,
+        slips=(
+            Misconception(
+                "latitude for colatitude",
+                lambda made: _leans(made, 0) < WITHIN or _leans(made, 1) < WITHIN,
+                "At one end the line stands upright: that is the north pole, $v=0$. The colatitude "
+                r"is counted from there; a horizontal direction lies on the equator, "
+                r"$v=\tfrac\pi2$.",
+                start.with_(points=((u, 0.01), *start.points[1:])),
+            ),
+            Misconception(
+                "the other way round",
+                lambda made: all(
+                    _off(made, t, _equator(to)) < WITHIN for t, to in ((0, end), (1, u))
+                ),
+                "These are the two directions, but the line runs from the second to the first. The "
+                r"curve begins at $\mathbf p_0$.",
+                model.with_(points=model.points[::-1]),
+            ),
+        ),
+        because="Only the two end points matter for this; the points between them may be anywhere.",
+        hints=(
+            "At its two ends a Bézier curve runs through its first and its last control point.",
+            r"A horizontal direction lies on the equator, $v=\tfrac\pi2$; $u$ is the angle from "
+            "the $x$-axis.",
+            rf"$\mathbf p_0$ belongs to $u={_tex(u)},\ v=\tfrac\pi2$, and the last point to "
+            rf"$u={_tex(end)},\ v=\tfrac\pi2$.",
+        ),
+        solution=rf"The first point at $(u,v)=({_tex(u)},\tfrac\pi2)$, the last at "
+        rf"$({_tex(end)},\tfrac\pi2)$. The chart shows one such curve now.",
+    )
+
+
+def _tex(u: float) -> str:
+    return {0.0: "0", math.pi / 2: r"\tfrac\pi2", math.pi: r"\pi"}[u]
+
+
+def _equator(u: float) -> Array:
+    return np.array([math.cos(u), math.sin(u), 0.0])
+
+
+def _off(made: Made, t: float, to: Array) -> float:
+    """Return how many degrees the line at t is off a direction."""
+    x = made.surface.line(t).direction
+    return math.degrees(math.atan2(float(np.linalg.norm(np.cross(x, to))), float(x @ to)))
+
+
+def _leans(made: Made, t: float) -> float:
+    return _off(made, t, np.array([0.0, 0.0, 1.0]))
+
+
+def _points_along(made: Made, t: int, name: str, to: Array) -> Condition:
+    return Condition(
+        rf"the line at $t={t}$ points along the ${name}$-axis", _off(made, t, to), WITHIN, "°"
+    )
+
+
 EXERCISES = (
     Exercise("00.1", "Units", units),
     Exercise("00.2", "South of the equator", colatitude),
@@ -253,5 +371,6 @@ EXERCISES = (
     Exercise("00.5", "One entry as a formula", height),
     Exercise("00.6", "The first lines of Python", first_lines),
     Exercise("00.7", "A slip in the conventions", slip),
+    Exercise("00.8", "From here to there", ends),
 )
 """The exercises in their order."""

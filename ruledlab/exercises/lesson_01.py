@@ -13,7 +13,7 @@ from .core import Choose, Code, Draw, Exercise, FindSlip, Formula, Line, Number,
 
 __all__ = ["EXERCISES"]
 
-PAIR = "Give real and dual part, such as [2, -5]."
+PAIR = "Give real and dual part, such as [2, -5], or write 2 - 5 eps."
 BOX = ((-2.0, 2.0), (-2.0, 2.0))
 
 
@@ -41,6 +41,15 @@ def product(draw: Draw) -> Number:
                 [real, a_ * b_],
                 rf"The product of the dual parts carries $\varepsilon^2$ and is gone. The dual "
                 rf"part is $a\bar b+\bar a b$: here ${a}\cdot({b_})$ and ${a_}\cdot{b}$.",
+            ),
+            *(
+                known.mistaken_for(
+                    f"only {kept} multiplied",
+                    [real, half],
+                    r"Two terms carry $\varepsilon$, and one of them is missing: the dual part is "
+                    rf"$a\bar b+\bar a b$, here ${a}\cdot({b_})$ and ${a_}\cdot{b}$.",
+                )
+                for kept, half in (("a b̄", a * b_), ("ā b", a_ * b))
             ),
             known.mistaken_for(
                 "ε² = 1",
@@ -86,6 +95,11 @@ def inverse(draw: Draw) -> Number:
                 [real, -part],
                 rf"Multiply: the dual part of the product is ${2 * a_ / a:g}$, it should be 0. The "
                 "dual part of the inverse has the other sign.",
+            ),
+            known.mistaken_for(
+                "conjugate for inverse",
+                [a, -a_],
+                rf"The product with it is $a^2={a**2}$, not 1: divide both parts by that.",
             ),
             known.mistaken_for(
                 "divided once",

@@ -18,6 +18,7 @@ from .core import (
     Formula,
     Number,
     Option,
+    Sketch,
 )
 from .core import Line as Printed
 
@@ -59,6 +60,12 @@ def through(draw: Draw) -> Number:
                 5 * value,
                 r"This is $\mathbf p\times\mathbf q=\mathbf p\times(\mathbf q-\mathbf p)$. "
                 "The direction must have length 1 first: divide by the distance of the points.",
+            ),
+            known.mistaken_for(
+                "direction for moment",
+                x,
+                r"This is the direction $\mathbf x$. It does not know where the line is; the "
+                r"moment $\mathbf c\times\mathbf x$ does.",
             ),
             known.mistaken_for(
                 "foot point for moment",
@@ -341,6 +348,35 @@ def dual_part(draw: Draw) -> Formula:
     )
 
 
+def turning(draw: Draw) -> Sketch:
+    """Ask for the dual part while one of two lines turns about the common perpendicular."""
+    side = draw.one_of((1, -1))
+    height = "1 above" if side > 0 else "1 below"
+
+    def part(t: Array) -> Array:
+        return np.asarray(-side * np.sin(np.pi * t))
+
+    return Sketch(
+        question=rf"Line A is the $x$-axis. Line B crosses the $z$-axis at the height {height} the "
+        r"origin and turns about that axis, with the direction $(\cos\pi t,\sin\pi t,0)$: that of "
+        r"A at $t=0$, the opposite at $t=1$. Sketch the dual part of "
+        r"$\langle\mathbf X,\mathbf Y\rangle$ over $t$.",
+        curve=part,
+        heights=(-1.5, 1.5),
+        label="dual part",
+        because="The distance is 1 all the time, and yet the dual part is 0 at both ends: for "
+        "parallel and antiparallel lines it says nothing about the distance.",
+        hints=(
+            r"The dual part is $-d\sin\theta$. What are $\theta$ and $d$ here?",
+            r"$\theta=\pi t$, and $\mathbf x\times\mathbf y$ points up.",
+            f"So $d={side}$ all the time: zero at both ends, and largest in size at "
+            r"$t=\tfrac12$, where the lines are perpendicular.",
+        ),
+        solution=rf"$\theta=\pi t$ and $d={side}$, so the dual part is "
+        rf"${'-' if side > 0 else ''}\sin\pi t$.",
+    )
+
+
 def which_meet(draw: Draw) -> Choose:
     """Ask which of four lines meets the z-axis."""
     size, high = draw.integer(2, 4), draw.integer(1, 3)
@@ -510,5 +546,6 @@ EXERCISES = (
     Exercise("02.8", "The dual part", dual_part),
     Exercise("02.9", "Which one meets the axis?", which_meet),
     Exercise("02.10", "How far apart?", parallel),
+    Exercise("02.11", "B turns", turning),
 )
 """The exercises in their order."""

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from .session import THREE, LabSession
+import pytest
+
+from .session import THREE, LabSession, NotebookPage
 from .test_lessons import LESSONS, in_sight, run_whole
 
 PAIR = ".ruledlab-edit .ruledlab-numbers"
@@ -11,15 +13,64 @@ ANSWER = (
 )
 
 
+def middle(page: NotebookPage, name: str) -> tuple[float, float]:
+    """Where a handle is on the page."""
+    box = page.page.get_by_role("button", name=name).locator(".rl-touch").bounding_box()
+    assert box is not None
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def pull(page: NotebookPage, name: str, by: tuple[float, float]) -> None:
+    """Drag a handle; it has to follow the pointer."""
+    x, y = middle(page, name)
+    page.page.mouse.move(x, y)
+    page.page.mouse.down()
+    page.page.mouse.move(x + by[0], y + by[1], steps=8)
+    page.page.wait_for_timeout(400)
+    assert middle(page, name) == pytest.approx((x + by[0], y + by[1]), abs=2)
+    page.page.mouse.up()
+
+
+def turn(page: NotebookPage) -> None:
+    """Drag beside all handles: the picture is turned."""
+    box = page.locator(THREE).bounding_box()
+    assert box is not None
+    x, y = box["x"] + 25, box["y"] + 25
+    page.page.mouse.move(x, y)
+    page.page.mouse.down()
+    page.page.mouse.move(x + 60, y + 25, steps=8)
+    page.page.mouse.up()
+
+
 def test_two_lines_are_moved_and_an_exercise_is_answered(lab: LabSession) -> None:
     with run_whole(lab, LESSONS / "02_lines_as_points.ipynb") as page:
         in_sight(page, THREE)
         first = page.wait_still(THREE, timeout=60)
         assert first.drawn > 1000
         before = page.locator(PAIR).inner_text()
-        page.press(page.page.get_by_role("slider", name="z of a point"), "ArrowRight", 10)
+        page.press(page.page.get_by_role("slider", name="z of the given"), "ArrowRight", 10)
         page.wait_change(first, THREE)
+        second = page.wait_still(THREE, quiet=1.0)  # all ten steps
         assert page.locator(PAIR).inner_text() != before
+
+        at = middle(page, "given point of line B")
+        pull(page, "given point of line B", (40, -30))
+        third = page.wait_change(second, THREE)
+        undo = page.page.get_by_role("button", name="undo").first
+        undo.click()  # the whole drag is one step
+        page.wait_same(second, THREE)
+        assert middle(page, "given point of line B") == pytest.approx(at, abs=0.5)
+        page.page.get_by_role("button", name="direction of line A").focus()
+        page.page.keyboard.press("ArrowUp")
+        turned = page.wait_change(second, THREE)
+        assert turned != third
+
+        x, y = middle(page, "direction of line A")
+        turn(page)  # the handles are where the lines are now
+        page.wait_change(turned, THREE)
+        page.page.wait_for_timeout(600)
+        assert middle(page, "direction of line A") != pytest.approx((x, y), abs=3)
+
         page.page.get_by_role("combobox", name="positions of two lines").select_option("parallel")
         page.page.get_by_text("no single common perpendicular").first.wait_for()
         page.screenshot("lesson-02")

@@ -53,10 +53,9 @@ def in_sight(page: NotebookPage, target: str, nth: int = 0) -> None:
 
 
 def test_lesson_0_says_that_all_is_well(start: NotebookPage) -> None:
-    scroller = start.page.locator(".jp-WindowedPanel-outer").first
-    scroller.evaluate("node => (node.scrollTop = 0)")
     table = start.page.locator("table", has_text="Everything is ready.").first
-    table.wait_for()
+    table.wait_for(state="attached")
+    table.scroll_into_view_if_needed()
     assert "MISSING" not in table.inner_text()
 
 

@@ -131,13 +131,13 @@ def between(lines: TwoLines) -> Pair:
 
 # The given points are not the feet, where their handles would hide them.
 _A = OneLine(math.pi / 2, math.pi / 4, 1.5, -0.5, -0.5)
-_LEVEL = OneLine(0.0, math.pi / 2, -1.0, 0.0, 1.0)
+_LEVEL = OneLine(0.0, math.pi / 2, -0.5, 0.0, 1.0)
 PRESETS: Final = {
     "skew": TwoLines(
         OneLine(-math.pi / 4, math.pi / 6, 1.0, 0.0, -1.5),
         OneLine(0.0, math.pi / 2, -1.0, 0.5, 1.0),
     ),
-    "meeting": TwoLines(_LEVEL, OneLine(math.pi / 3, math.pi / 4, 0.5, 0.0, 1.0)),
+    "meeting": TwoLines(_LEVEL, OneLine(math.pi / 3, 3 * math.pi / 4, 0.5, 0.0, 1.0)),
     "perpendicular and meeting": TwoLines(
         _LEVEL, OneLine(math.pi / 2, math.pi / 4, 0.5, -0.5, 0.5)
     ),
