@@ -29,12 +29,10 @@ const button = (words, parent, action, className = "") => {
 // Keys typed here are ours; shortcuts with Ctrl or Command, such as saving, stay the page's own.
 function keepKeys(root) {
   const shield = (event) => {
-    if (!root.contains(event.target)) return;
-    if (event.ctrlKey || event.metaKey) root.removeAttribute("data-lm-suppress-shortcuts");
-    else root.setAttribute("data-lm-suppress-shortcuts", "true");
+    if (root.contains(event.target))
+      event.target.toggleAttribute("data-lm-suppress-shortcuts", !(event.ctrlKey || event.metaKey));
   };
   const stop = (event) => !(event.ctrlKey || event.metaKey) && event.stopPropagation();
-  root.setAttribute("data-lm-suppress-shortcuts", "true");
   window.addEventListener("keydown", shield, true);
   for (const name of ["keydown", "keypress", "keyup"]) root.addEventListener(name, stop);
   return () => {

@@ -69,8 +69,17 @@ const isThePages = (event) =>
 /** Keep the app's keys from the page; return the function that ends it. */
 function keepKeys(app) {
   const stop = (event) => isThePages(event) || event.stopPropagation();
+  // For pages that look at a key before the app gets it: they pass over parts with this mark.
+  const shield = (event) => {
+    if (app.contains(event.target))
+      event.target.toggleAttribute("data-lm-suppress-shortcuts", !isThePages(event));
+  };
   app.addEventListener("keydown", stop);
-  return () => app.removeEventListener("keydown", stop);
+  window.addEventListener("keydown", shield, true);
+  return () => {
+    app.removeEventListener("keydown", stop);
+    window.removeEventListener("keydown", shield, true);
+  };
 }
 
 const THEMED = {
