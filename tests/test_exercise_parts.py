@@ -9,13 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from ruledlab.design import Design
 from ruledlab.exercises import tex
 from ruledlab.exercises.core import made
-from ruledlab.exercises.designs import at_least, enlarged, has_pitch, values
+from ruledlab.exercises.designs import EXAMPLE_2, at_least, enlarged, has_pitch, values
+from ruledlab.geometry import gallery
 from ruledlab.geometry.gallery import LOOP
-
-EXAMPLE_2 = Design(LOOP, "u - v", "u + v", closing="C1")
 
 
 @pytest.mark.parametrize(
@@ -64,6 +62,18 @@ def test_a_combination_has_the_value_of_its_terms(factors: list[int]) -> None:
         size = term.strip("+-" + names)
         worth[term[-1]] = int(size or 1) * (-1 if term.startswith("-") else 1) if size != "0" else 0
     assert [worth[name] for name in names] == factors or not any(factors)
+
+
+def test_example_2_is_that_of_the_gallery() -> None:
+    shown = gallery.example("example_2")
+    for name in ("points", "ubar", "vbar", "closing"):
+        assert getattr(EXAMPLE_2, name) == getattr(shown, name)
+
+
+def test_a_pitch_of_nearly_nothing_has_no_sign() -> None:
+    loop = EXAMPLE_2.with_(ubar="0", vbar="0.0001")
+    for design in (loop, loop.with_(points=LOOP[::-1])):
+        assert has_pitch(made(design)).now == "now $l=0.000$"
 
 
 def test_the_pitch_of_a_design_is_measured_against_its_own() -> None:

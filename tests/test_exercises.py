@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import ast
 import contextlib
+import functools
 import json
 import math
+import re
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -17,11 +20,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ruledlab.design import Design
-from ruledlab.exercises import check, core, lesson_06, misconceptions, shape
+from ruledlab.exercises import check, core, misconceptions, shape
 from ruledlab.exercises.answers import read_formula, read_numbers
 from ruledlab.exercises.core import (
     Choose,
     Code,
+    Drag,
     Draw,
     Exercise,
     FindSlip,
@@ -40,8 +44,8 @@ from ruledlab.exercises.core import (
 )
 from ruledlab.exercises.record import kept
 from ruledlab.exercises.store import Store
-from ruledlab.geometry import Dual, GeometryError, RuledSurface, gallery
-from ruledlab.geometry.curve import Bezier
+from ruledlab.geometry import Dual, GeometryError, RuledSurface, gallery, trajectory, vector
+from ruledlab.geometry.curve import Bezier, drag
 
 PACKAGE = Path(core.__file__).parent
 SEEDS = ("", "1", "Ada", "Σ", "a very long name " * 20)
@@ -96,12 +100,61 @@ def test_nonsense_gets_a_word_and_does_not_count(exercise: Exercise, seed: str) 
         assert "\n" not in verdict.word
 
 
-@every
-def test_what_is_recognised_by_name(exercise: Exercise, seed: str) -> None:
-    task = exercise.task(seed)
-    for slip in getattr(task, "slips", ()):
-        verdict = task.judge(slip.example)
-        assert (verdict.state, verdict.slip) == ("wrong", slip.name)
+MANY = tuple(map(str, range(40)))
+COSTLY = {"04.8": 6, "04.9": 6, "07.8": 6, "08.4": 6, "08.11": 10}
+"""Exercises that search or integrate a surface for each answer, and how many seeds are enough."""
+
+MAY_BE_ZERO = {"02.7"}
+"""Where the answer is a height, 0 is as good as any: no slip has the opposite sign."""
+
+each = pytest.mark.parametrize(
+    "exercise", [e for number in lessons() for e in lesson(number)], ids=lambda e: e.key
+)
+
+
+@functools.cache
+def tasks(exercise: Exercise) -> tuple[tuple[str, Task], ...]:
+    """Return the exercise for many students: seed and task."""
+    return tuple((seed, exercise.task(seed)) for seed in MANY[: COSTLY.get(exercise.key)])
+
+
+def parts(task: Task) -> Iterator[tuple[Task, Callable[[Any], Verdict]]]:
+    """Return the task, and the correction a slip asks for, each with what judges it."""
+    yield task, task.judge
+    if isinstance(task, FindSlip):
+        line = task.wrong_line
+        yield task.then, lambda answer: task.judge({"line": line, "then": answer})
+
+
+@each
+def test_every_slip_is_wrong_and_known_by_its_own_name(exercise: Exercise) -> None:
+    for seed, task in tasks(exercise):
+        for part, judge in parts(task):
+            assert judge(part.right_answer()).right, (seed, "the right answer")
+            for slip in getattr(part, "slips", ()):
+                verdict = judge(slip.example)
+                assert (verdict.state, verdict.slip) == ("wrong", slip.name), (seed, slip.name)
+
+
+@each
+def test_options_differ_and_one_is_right(exercise: Exercise) -> None:
+    for seed, task in tasks(exercise):
+        for part, judge in parts(task):
+            options = getattr(part, "options", ())
+            assert len({option.text for option in options}) == len(options), seed
+            for index, option in enumerate(options):
+                verdict = judge(index)
+                assert (verdict.right, verdict.slip) == (option.right, option.slip), seed
+
+
+@each
+def test_no_number_to_predict_is_zero_by_chance(exercise: Exercise) -> None:
+    if exercise.key in MAY_BE_ZERO:
+        return
+    for seed, task in tasks(exercise):
+        for part, _ in parts(task):
+            if isinstance(part, Number):
+                assert np.any(np.asarray(part.answer, dtype=float)), (seed, "0 has no sign")
 
 
 @every
@@ -203,6 +256,50 @@ def test_the_conoids_delta_is_that_of_its_surface(seed: str) -> None:
     curve = Bezier([[0, math.pi / 2], [2 * math.pi, math.pi / 2]])
     delta = RuledSurface(curve, text, 0).invariants(task.t).delta
     np.testing.assert_allclose(task.curve(task.t), delta, atol=1e-10)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_the_way_from_the_ellipse_is_that_to_the_striction_point(seed: str) -> None:
+    task = find("03.11").task(seed)
+    assert isinstance(task, Sketch)
+    base, across = (
+        re.sub(r"(\d?)\\(cos|sin) t", lambda m: f"{m[1] or 1}*{m[2]}(t)", part).replace(r"\ ", "")
+        for part in re.findall(r"\\mathbf [cx]=\((.*?)\)[$/]", task.question)
+    )
+    surface = RuledSurface.from_base(vector(base), vector(across), task.span)
+    start = np.stack([np.broadcast_to(x, task.t.shape) for x in vector(base)(task.t)], axis=-1)
+    way = np.sum((surface.striction(task.t) - start) * surface.line(task.t).direction, axis=-1)
+    np.testing.assert_allclose(task.curve(task.t), way, atol=1e-10)
+    assert not task.judge([0.0] * task.KNOTS).right  # the base curve taken for the striction curve
+
+
+@pytest.mark.parametrize("seed", MANY[:12])
+def test_the_walk_is_an_orthogonal_trajectory_and_does_not_come_back(seed: str) -> None:
+    task = find("08.12").task(seed)
+    assert isinstance(task, Sketch)
+    vbar = task.question.split(r"$\bar v=")[1].split("$")[0].replace(r"\sin u", "*sin(u)")
+    curve = Bezier([[0, math.pi / 2], [2 * math.pi, math.pi / 2]])
+    surface = RuledSurface(curve, "sin(2*u)", vbar)
+    points = trajectory(surface, 0.0, task.t).points
+    walked = np.sum((points - surface.foot(task.t)) * surface.line(task.t).direction, axis=-1)
+    walk = np.asarray(task.curve(task.t))
+    np.testing.assert_allclose(walk, walked - walked[0], atol=1e-9)
+    assert walk[-1] == pytest.approx(surface.pitch(), abs=1e-9)
+    assert not task.judge(list(walk - walk[-1] * task.t)).right  # as though it came back
+    assert task.judge(list(0.8 * walk)).right
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_the_seam_needs_a_hand_besides_the_menu_of_closings(seed: str) -> None:
+    task = find("06.9").task(seed)
+    assert isinstance(task, Drag)
+    assert task.judge(task.start.closed_with("C0")).slip == ""
+    for closing in ("C1", "C2"):
+        design = task.start.closed_with(closing)
+        assert task.judge(design).slip == "smooth taken for fast"
+        farther = drag(design.points, 1, (math.pi / 8, 3.2 * math.pi / 8), order=1)
+        helped = design.with_(points=tuple(map(tuple, farther.tolist())), closing="C1")
+        assert task.judge(helped).right
 
 
 def test_the_printed_torsion_is_recognised_from_its_own_formula() -> None:
@@ -810,7 +907,3 @@ def test_the_core_needs_no_widgets(path: Path) -> None:
             assert (node.module or "").partition(".")[0] not in ("lab", "boxes", "widgets")
         if isinstance(node, ast.Import):
             assert not {a.name for a in node.names} & {"ipywidgets", "anywidget", "traitlets"}
-
-
-def test_the_model_of_lesson_06_is_example_2() -> None:
-    assert lesson_06.EXAMPLE_2.points == gallery.example("example_2").points

@@ -8,9 +8,13 @@ import numpy as np
 
 from ..design import Design
 from ..geometry.checks import Array
+from ..geometry.gallery import LOOP
 from .core import Condition, Made
 
-__all__ = ["at_least", "enlarged", "has_pitch", "values"]
+__all__ = ["EXAMPLE_2", "at_least", "enlarged", "has_pitch", "values"]
+
+EXAMPLE_2 = Design(LOOP, "u - v", "u + v", closing="C1", name="Example 2")
+"""The paper's Example 2, as a design that can be dragged."""
 
 
 def has_pitch(made: Made, target: float = 0.0, within: float = 0.02) -> Condition:
@@ -19,7 +23,8 @@ def has_pitch(made: Made, target: float = 0.0, within: float = 0.02) -> Conditio
     if made.pitch is None:
         return Condition(text, math.nan, within, "length", "the surface does not close")
     now = float(made.pitch.dual)
-    return Condition(text, abs(now - target), within, "length", f"now $l={now:.3f}$")
+    said = f"now $l={round(now, 3) + 0.0:.3f}$"  # never −0.000
+    return Condition(text, abs(now - target), within, "length", said)
 
 
 def at_least(text: str, now: float, least: float, unit: str = "", said: str = "") -> Condition:

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from ..design import Design
+from ..geometry.checks import Array
 from ..geometry.surface import RuledSurface
 from ..geometry.vector import vector
 from . import misconceptions as known
@@ -24,7 +25,10 @@ from .core import (
     Misconception,
     Number,
     Option,
+    Sketch,
 )
+from .designs import at_least, values
+from .tex import times
 
 __all__ = ["EXERCISES"]
 
@@ -132,7 +136,7 @@ def striction_point(draw: Draw) -> Number:
     way = np.array([a, 0.0, 1.0])  # of length √(1 + a²), along the ruling t = π/2
     value = np.array([0.0, r, q])
     base = value + n * way
-    k, na, root = _times(a), _times(n * a), rf"\sqrt{{{1 + a * a}}}"
+    k, na, root = times(a), times(n * a), rf"\sqrt{{{1 + a * a}}}"
     return Number(
         question=rf"$\mathbf c=({r}\cos t+{na}\sin t,\ {r}\sin t-{na}\cos t,\ {n + q})$ and "
         rf"$\mathbf x=({k}\sin t,\ -{k}\cos t,\ 1)/{root}$. "
@@ -171,10 +175,10 @@ def striction_point(draw: Draw) -> Number:
             STRICTION + ".",
             rf"At $t=\tfrac\pi2$: $\mathbf x'=(0,{a},0)/{root}$ and "
             rf"$\mathbf c'=(-{r},{n * a},0)$.",
-            rf"The quotient is ${_times(n)}{root}$.",
+            rf"The quotient is ${times(n)}{root}$.",
         ),
-        solution=rf"The quotient is ${_times(n)}{root}$ and $\mathbf m=({n * a},{r},{n + q})-"
-        rf"{_times(n)}\,({a},0,1)=(0,{r},{q})$: a point of the waist circle of this hyperboloid.",
+        solution=rf"The quotient is ${times(n)}{root}$ and $\mathbf m=({n * a},{r},{n + q})-"
+        rf"{times(n)}\,({a},0,1)=(0,{r},{q})$: a point of the waist circle of this hyperboloid.",
     )
 
 
@@ -298,6 +302,47 @@ def paraboloid(draw: Draw) -> Formula:
     )
 
 
+# -- sketch ----------------------------------------------------------------------------------------
+
+
+def way_to_striction(draw: Draw) -> Sketch:
+    """Ask how far the striction curve is from an ellipse that might be taken for it."""
+    a, b = draw.one_of(((3, 1), (1, 3), (2, 1), (1, 2), (3, 2), (2, 3)))
+    side = draw.one_of((1, -1))
+    part = side * (a - b)  # ⟨x′, c′⟩ is this times sin t cos t / √2
+
+    def way(t: Array) -> Array:
+        return np.asarray(-part * np.sin(2 * t) / math.sqrt(2))
+
+    minus, plus = ("-", "") if side > 0 else ("", "-")
+    return Sketch(
+        question=rf"The rulings start on an ellipse, $\mathbf c=({times(a)}\cos t,\ {times(b)}"
+        rf"\sin t,\ 0)$, and rise evenly, $\mathbf x=({minus}\sin t,\ {plus}\cos t,\ 1)/\sqrt2$. "
+        r"On each of them the striction point is $\mathbf m=\mathbf c+\mu\,\mathbf x$. Sketch "
+        r"$\mu$ over one turn, $t$ from $0$ to $2\pi$.",
+        curve=way,
+        heights=(-1.1 * abs(part), 1.1 * abs(part)),
+        span=(0.0, 2 * math.pi),
+        label="μ",
+        because="Only in its four vertices does the striction curve meet the ellipse, a base curve "
+        "like any other. On a circle μ would be zero all along: the waist of a hyperboloid.",
+        hints=(
+            r"Where on the ellipse is its tangent $\mathbf c'$ perpendicular to $\mathbf x'$? "
+            r"There $\mu=0$.",
+            rf"$\mathbf x'=({minus}\cos t,\ {minus}\sin t,\ 0)/\sqrt2$. The tangent is at right "
+            r"angles to it at $t=0,\tfrac\pi2,\pi,\tfrac{3\pi}2$, in the vertices of the ellipse, "
+            "and nowhere else.",
+            r"The sign between them: at $t=\tfrac\pi4$ you find "
+            rf"$\langle\mathbf x',\mathbf c'\rangle={part}/\sqrt8$, and "
+            r"$\mu=-\langle\mathbf x',\mathbf c'\rangle/\langle\mathbf x',\mathbf x'\rangle$.",
+        ),
+        solution=rf"$\langle\mathbf x',\mathbf c'\rangle={times(part)}\sin t\cos t/\sqrt2$ and "
+        rf"$\langle\mathbf x',\mathbf x'\rangle=\tfrac12$, so $\mu={times(-part)}\sin2t/\sqrt2$: "
+        "zero in the four vertices of the ellipse, and by turns positive and negative between "
+        "them.",
+    )
+
+
 # -- a design --------------------------------------------------------------------------------------
 
 
@@ -338,10 +383,10 @@ def unrolled(draw: Draw) -> Drag:
 
 def _sizes(made: Made) -> tuple[float, float]:
     """Return the largest |δ| and the length of the striction curve."""
+    delta = np.abs(values(made, "delta"))
+    largest = float(delta.max()) if delta.size else math.nan
     t = np.linspace(*made.surface.domain, 201)
     found = made.surface.invariants(t)
-    known_delta = np.abs(found.delta[np.isfinite(found.delta)])
-    largest = float(known_delta.max()) if len(known_delta) else math.nan
     speed = np.nan_to_num(np.hypot(found.kappa_bar, found.tau_bar))
     return largest, float(np.trapezoid(speed, t))
 
@@ -351,13 +396,7 @@ def _unrolled(made: Made) -> tuple[Condition, ...]:
     why = "nothing turns" if math.isnan(largest) else rf"now up to $|\delta|={largest:.3f}$"
     return (
         Condition(r"developable: $\delta=0$ everywhere", largest, 0.02, "length", why),
-        Condition(
-            "a striction curve at least 0.5 long",
-            max(0.5 - length, 0.0),
-            0.0,
-            "length",
-            f"now {length:.2f}",
-        ),
+        at_least("a striction curve at least 0.5 long", length, 0.5, "length"),
     )
 
 
@@ -499,10 +538,6 @@ def lost_curve(draw: Draw) -> FindSlip:
     )
 
 
-def _times(factor: int) -> str:
-    return "" if factor == 1 else f"{factor}"
-
-
 EXERCISES = (
     Exercise("03.1", "What can be unrolled", developable),
     Exercise("03.2", "Another base curve", another_base),
@@ -514,5 +549,6 @@ EXERCISES = (
     Exercise("03.8", "A base curve in three lines", from_base),
     Exercise("03.9", "A dual curve in three lines", from_lines),
     Exercise("03.10", "A slip on a helicoid", lost_curve),
+    Exercise("03.11", "Rulings on an ellipse", way_to_striction),
 )
 """The exercises in their order."""

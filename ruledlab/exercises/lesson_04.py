@@ -29,6 +29,8 @@ from .core import (
     Option,
     Sketch,
 )
+from .designs import values
+from .tex import angle, combination, times
 
 __all__ = ["EXERCISES"]
 
@@ -174,7 +176,7 @@ def curvature_and_delta(draw: Draw) -> Number:
         ),
     ]
     return Number(
-        question=rf"A ring: $u=2\pi t$, $v=\tfrac\pi{part}$, $\bar u={_times(size)}\sin 2u$, "
+        question=rf"A ring: $u=2\pi t$, $v=\tfrac\pi{part}$, $\bar u={times(size)}\sin 2u$, "
         rf"$\bar v={radius}$. How large are $\kappa$ and $\delta$ at $t={place}$? "
         r"Write $[\kappa,\ \delta]$.",
         answer=[kappa, delta],
@@ -185,22 +187,23 @@ def curvature_and_delta(draw: Draw) -> Number:
             r"$\kappa^2=u'^2\sin^2v+v'^2$, and $v'=0$.",
             r"$\kappa\bar\kappa=u'^2\sin v\,(\bar v\cos v+\bar u_u\sin v)$ when $v'=0$.",
             r"So $\delta=\bar\kappa/\kappa=\bar v\cot v+\bar u_u$ with $\bar u_u="
-            rf"{_times(2 * size)}\cos 2u$.",
+            rf"{times(2 * size)}\cos 2u$.",
         ),
         solution=rf"$\kappa=2\pi\sin\tfrac\pi{part}={kappa:.6f}$ and $\delta={radius}\cot"
-        rf"\tfrac\pi{part}+{_times(2 * size)}\cos 2u={delta:.6f}$.",
+        rf"\tfrac\pi{part}+{times(2 * size)}\cos 2u={delta:.6f}$.",
     )
 
 
 def screw_pitch(draw: Draw) -> Number:
     """Ask for the pitch of the instantaneous screw."""
     kappa, tau = draw.one_of(((3, 4), (4, 3), (1, 2), (2, 1)))
-    kappa_bar, tau_bar = draw.one_of(((3, -1), (5, -1), (1, 3), (-2, 3)))
+    # such that no two of the values below are one number, and none is 0
+    kappa_bar, tau_bar = draw.one_of(((4, -1), (5, -1), (1, 3), (-2, 3)))
     value = (kappa * kappa_bar + tau * tau_bar) / (kappa**2 + tau**2)
     delta = kappa_bar / kappa
     return Number(
-        question=rf"On a ruling $\hat\kappa={kappa}{_eps(kappa_bar)}$ and "
-        rf"$\hat\tau={tau}{_eps(tau_bar)}$. How far does the frame move along its screw axis for "
+        question=rf"On a ruling $\hat\kappa={_dual(kappa, kappa_bar)}$ and "
+        rf"$\hat\tau={_dual(tau, tau_bar)}$. How far does the frame move along its screw axis for "
         "each radian that it turns?",
         answer=value,
         label="h =",
@@ -239,28 +242,27 @@ def screw_pitch(draw: Draw) -> Number:
 
 def dual_torsion(draw: Draw) -> Number:
     """Ask for τ̄ on a ring, where (18) as printed gives something else."""
-    a, b, t = draw.one_of((1, 2)), draw.one_of((1, 2, 3)), draw.one_of((0, 1 / 6, 1 / 3, 1 / 2))
+    # b > a, for else τ̄ could be 0 and κ̄ the printed value
+    a, b, t = draw.one_of((1, 2)), draw.one_of((3, 4, 5)), draw.one_of((0, 1 / 6, 1 / 3, 1 / 2))
     place = {0: "0", 1 / 6: r"\tfrac16", 1 / 3: r"\tfrac13", 1 / 2: r"\tfrac12"}[t]
     surface = _ring(math.pi / 4, f"{a}*sin(u)", f"{b}")
     value = TURN * math.sqrt(0.5) * (a * math.cos(TURN * t) - b)
     printed = -TURN * math.sqrt(0.5) * b
-    kappa_bar = float(surface.invariants(t).kappa_bar)
-    slips = []
-    if abs(value - printed) > 0.1:
-        slips.append(known.printed_tau_bar(printed))
-    if min(abs(kappa_bar - value), abs(kappa_bar - printed)) > 0.1:
-        word = (
-            r"This is $\bar\kappa$, the part of $\mathbf m'$ along $\mathbf x_3$. The part along "
-            r"the ruling is $\bar\tau$."
-        )
-        slips.append(known.mistaken_for("κ̄ for τ̄", kappa_bar, word))
     return Number(
-        question=rf"A ring: $u=2\pi t$, $v=\tfrac\pi4$, $\bar u={_times(a)}\sin u$, $\bar v={b}$. "
+        question=rf"A ring: $u=2\pi t$, $v=\tfrac\pi4$, $\bar u={times(a)}\sin u$, $\bar v={b}$. "
         rf"How large is the dual torsion $\bar\tau$ at $t={place}$?",
         answer=value,
         label="τ̄ =",
         unit="length per t",
-        slips=tuple(slips),
+        slips=(
+            known.printed_tau_bar(printed),
+            known.mistaken_for(
+                "κ̄ for τ̄",
+                surface.invariants(t).kappa_bar,
+                r"This is $\bar\kappa$, the part of $\mathbf m'$ along $\mathbf x_3$. The part "
+                r"along the ruling is $\bar\tau$.",
+            ),
+        ),
         because=r"$\bar\tau=\langle\mathbf c',\mathbf x\rangle+\mu'$: the striction point moves "
         "along the ruling as well.",
         hints=(
@@ -270,7 +272,7 @@ def dual_torsion(draw: Draw) -> Number:
             r"and $\bar v$ is constant.",
         ),
         solution=r"$\langle\mathbf c',\mathbf x\rangle=-u'\bar v\sin v$ and $\mu'=u'\bar u_u"
-        rf"\cos v$, so $\bar\tau=\sqrt2\,\pi\,({_times(a)}\cos 2\pi t-{b})={value:.6f}$.",
+        rf"\cos v$, so $\bar\tau=\sqrt2\,\pi\,({times(a)}\cos 2\pi t-{b})={value:.6f}$.",
     )
 
 
@@ -331,7 +333,7 @@ def spiral(draw: Draw) -> Sketch:
     way = "south" if down else "north"
     return Sketch(
         question=rf"The direction of a ruling winds once round the sphere, $u=2\pi t$, while it "
-        rf"moves steadily {way}, from $v={_angle(first)}$ to $v={_angle(last)}$. Sketch $\tau$ "
+        rf"moves steadily {way}, from $v={angle(first)}$ to $v={angle(last)}$. Sketch $\tau$ "
         r"over $t$.",
         curve=tau,
         heights=(-10.0, 10.0),
@@ -347,11 +349,6 @@ def spiral(draw: Draw) -> Sketch:
         solution=r"$\tau=u'\cos v\,\dfrac{u'^2\sin^2v+2v'^2}{u'^2\sin^2v+v'^2}$: positive north of "
         "the equator, zero on it, negative south of it.",
     )
-
-
-def _angle(value: float) -> str:
-    sixths = round(value / (math.pi / 6))
-    return {1: r"\tfrac\pi6", 4: r"\tfrac{2\pi}3", 5: r"\tfrac{5\pi}6"}[sixths]
 
 
 # -- drag ------------------------------------------------------------------------------------------
@@ -393,11 +390,10 @@ def _has_torsal(made: Made) -> tuple[Condition, ...]:
     count = len(found.torsal)
     if count or len(found.developable):
         return (Condition(text, 0.0, 0.0, "length", f"now {count or 'whole stretches'}"),)
-    delta = np.abs(made.surface.invariants(np.linspace(*made.surface.domain, 400)).delta)
-    known_delta = delta[np.isfinite(delta)]
-    if not known_delta.size:
+    delta = np.abs(values(made, "delta", 400))
+    if not delta.size:
         return (Condition(text, math.nan, 0.0, now="δ is undefined everywhere"),)
-    least = float(known_delta.min())
+    least = float(delta.min())
     return (Condition(text, least, 0.0, "length", rf"least $|\delta|={least:.3f}$"),)
 
 
@@ -465,8 +461,9 @@ def _crossing_and_touching(surface: RuledSurface) -> tuple[int, int]:
 
 
 def _nearly_touching(made: Made) -> bool:
-    delta = np.abs(made.surface.invariants(np.linspace(*made.surface.domain, 400)).delta)
-    return not len(special_rulings(made.surface).torsal) and bool(np.nanmin(delta) < 0.1)
+    delta = np.abs(values(made, "delta", 400))
+    near = bool(delta.size and delta.min() < 0.1)
+    return near and not len(special_rulings(made.surface).torsal)
 
 
 def straighten(draw: Draw) -> Drag:
@@ -489,7 +486,7 @@ def straighten(draw: Draw) -> Drag:
         slips=(
             Misconception(
                 "left taken for right",
-                lambda made: bool(np.nanmax(_tau(made)) < 0),
+                _to_the_right,
                 r"Now $\tau$ is negative everywhere: the path bends to the right all along. It has "
                 "to change the side on its way.",
                 start.with_(points=start.points[::-1]),
@@ -507,13 +504,13 @@ def straighten(draw: Draw) -> Drag:
     )
 
 
-def _tau(made: Made) -> Array:
-    return np.asarray(made.surface.invariants(np.linspace(*made.surface.domain, 400)).tau)
+def _to_the_right(made: Made) -> bool:
+    tau = values(made, "tau", 400)
+    return bool(tau.size and tau.max() < 0)
 
 
 def _both_signs(made: Made) -> tuple[Condition, ...]:
-    tau, text = _tau(made), r"$\tau$ has both signs"
-    tau = tau[np.isfinite(tau)]
+    tau, text = values(made, "tau", 400), r"$\tau$ has both signs"
     if not tau.size:
         return (Condition(text, math.nan, 0.0, now="τ is undefined everywhere"),)
     low, high = float(tau.min()), float(tau.max())
@@ -621,21 +618,16 @@ def frame_slip(draw: Draw) -> FindSlip:
     )
 
 
+def _dual(real: int, part: int) -> str:
+    return combination((real, ""), (part, r"\,\varepsilon"))
+
+
 def _negated(wrong: int) -> str:
     return {
         1: r"$\mathbf X_2'=-\hat\kappa\mathbf X_1-\hat\tau\mathbf X_3$",
         2: r"$\mathbf X_3'=-\hat\kappa\mathbf X_1-\hat\tau\mathbf X_2$",
         3: r"$\mathbf m'=-\bar\tau\mathbf x_1-\bar\kappa\mathbf x_3$",
     }[wrong]
-
-
-def _times(factor: int) -> str:
-    return "" if factor == 1 else f"{factor}"
-
-
-def _eps(value: int) -> str:
-    sign = "+" if value > 0 else "-"
-    return rf"{sign}{_times(abs(value))}\,\varepsilon"
 
 
 EXERCISES = (

@@ -29,11 +29,12 @@ from .core import (
     Option,
     Sketch,
 )
+from .designs import EXAMPLE_2, at_least, enlarged, has_pitch
+from .tex import times
 
 __all__ = ["EXERCISES"]
 
 EIGHTH = math.pi / 8
-EXAMPLE_2 = Design(LOOP, "u - v", "u + v", closing="C1", name="Example 2")
 
 
 def _example_2(scale: float = 1.0) -> RuledSurface:
@@ -226,6 +227,8 @@ def bezier(draw: Draw) -> Formula:
     a, b = draw.integer(1, 4), draw.integer(5, 8)
     if draw.integer(0, 1):
         a, b = b, a
+    if b == 2 * a:  # then the curve would be the straight line of a slip
+        b += 1
     return Formula(
         question=f"A Bézier curve of degree 2 has the longitudes $0,\\ {a},\\ {b}$ at its three "
         "control points. Write $u(t)$.",
@@ -265,7 +268,7 @@ def divergence(draw: Draw) -> Formula:
     return Formula(
         question=r"The pitch of a closed design is, up to sign, the flux of the divergence of "
         r"$(\bar u,\bar v)$ through the loop on the sphere. Write this divergence for "
-        rf"$\bar u={_times(a)}u-v$, $\bar v=u+{_times(b)}v$.",
+        rf"$\bar u={times(a)}u-v$, $\bar v=u+{times(b)}v$.",
         answer=f"{a} + {b} + (u + {b}*v)*cos(v)/sin(v)",
         label="divergence =",
         slips=(
@@ -286,13 +289,9 @@ def divergence(draw: Draw) -> Formula:
             "On the sphere a term is added to the divergence in the plane chart.",
             r"$\bar u_u+\bar v_v+\bar v\cot v$.",
         ),
-        solution=rf"$\bar u_u+\bar v_v+\bar v\cot v={a}+{b}+(u+{_times(b)}v)\cot v$. "
+        solution=rf"$\bar u_u+\bar v_v+\bar v\cot v={a}+{b}+(u+{times(b)}v)\cot v$. "
         "Write cot v as cos(v)/sin(v).",
     )
-
-
-def _times(factor: int) -> str:
-    return "" if factor == 1 else f"{factor}"
 
 
 # -- drag ------------------------------------------------------------------------------------------
@@ -302,19 +301,12 @@ def pitch(draw: Draw) -> Drag:
     """Ask for a closed design with a given pitch."""
     target = draw.one_of((0.3, 0.4, 0.8, 1.0))
 
-    def conditions(made: Made) -> tuple[Condition, ...]:
-        text = f"pitch $l = {target:g}$"
-        if made.pitch is None:
-            return (Condition(text, math.nan, 0.02, now="the surface does not close"),)
-        now = float(made.pitch.dual)
-        return (Condition(text, abs(now - target), 0.02, "length", f"now $l={now:.3f}$"),)
-
     return Drag(
         question=f"Drag the points of this closed design until its pitch is $l={target:g}$. "
         r"$0.02$ more or less will do. $\bar u=u-v$ and $\bar v=u+v$ stay.",
         start=EXAMPLE_2,
         model=_with_pitch(target),
-        conditions=conditions,
+        conditions=lambda made: (has_pitch(made, target),),
         slips=(
             Misconception(
                 "sign of (24)",
@@ -334,20 +326,13 @@ def pitch(draw: Draw) -> Drag:
     )
 
 
-def _grown(factor: float) -> Design:
-    points = np.array(LOOP)
-    middle = np.array([2 * EIGHTH, 2 * EIGHTH])
-    grown = middle + factor * (points - middle)
-    return EXAMPLE_2.with_(points=tuple((float(u), float(v)) for u, v in grown))
-
-
 @functools.cache
 def _with_pitch(target: float) -> Design:
     """Return Example 2, grown about its middle until it has this pitch: nearly as the square."""
     factor = 1.0
     for _ in range(4):
-        factor *= math.sqrt(target / _grown(factor).surface().pitch())
-    return _grown(factor)
+        factor *= math.sqrt(target / enlarged(EXAMPLE_2, factor).surface().pitch())
+    return enlarged(EXAMPLE_2, factor)
 
 
 def _reversed(design: Design) -> Design:
@@ -355,8 +340,8 @@ def _reversed(design: Design) -> Design:
 
 
 def smooth(draw: Draw) -> Drag:
-    """Ask to mend a seam that is only C⁰."""
-    up = draw.one_of((0.25, 0.4))
+    """Ask to mend a seam that is only C⁰, and to pass it faster than a closing alone makes it."""
+    up, least = draw.one_of((0.25, 0.4)), draw.one_of((1.8, 2.0, 2.2))
     points = [*LOOP]
     points[1] = (EIGHTH * 1.5, EIGHTH * (2 + up))
     start = Design(tuple(points), "u - v", "u + v", closing="C0", name="a corner")
@@ -365,25 +350,44 @@ def smooth(draw: Draw) -> Drag:
     return Drag(
         question="This closed design has a corner at the seam, $t=0$. Drag until the rulings pass "
         "the seam smoothly, C¹: direction <i>and</i> speed of the spherical image are the same on "
-        "both sides.",
+        rf"both sides. And fast: $\kappa\ge{least:g}$ there. The menu of closings is a fair help, "
+        "but it will not do all of it.",
         start=start,
         model=EXAMPLE_2,
-        conditions=_smooth_seam,
+        conditions=lambda made: _smooth_seam(made, least),
         plots=("kappa",),
-        slips=(known.collinear_for_c1(start.with_(points=tuple(one_line))),),
-        because="Equal legs at the seam: that is C¹.",
+        slips=(
+            known.collinear_for_c1(start.with_(points=tuple(one_line))),
+            Misconception(
+                "smooth taken for fast",
+                lambda made: all(c.met for c in _smooth_seam(made, 0.0)),
+                "The seam is smooth now. The speed is that of the leg you left there: "
+                r"$\kappa(0)$ is $n$ times the length of the first leg on the sphere, so draw "
+                "point 1 farther away from point 0, and keep the legs equal.",
+                start.closed_with("C1"),
+            ),
+        ),
+        because="Equal legs at the seam, and long ones: that is C¹ at a high speed.",
         hints=(
             "Look at the two legs of the polygon that meet in point 0.",
             r"C¹ means $\mathbf p_1-\mathbf p_0=\mathbf p_0-\mathbf p_{n-1}$: the same direction "
             "and the same length. Or choose a closing from the menu and see what it moves.",
+            r"$\kappa(0)=n\sqrt{\Delta u^2\sin^2v+\Delta v^2}$ with the first leg "
+            r"$(\Delta u,\Delta v)$, and $n=6$: due south, from point 0, it has to be at least "
+            rf"${least / 6:.3f}$ long.",
         ),
         solution="The seam of Example 2 itself is shown in the chart now: its first and last legs "
-        "are equal.",
+        r"are equal, $\tfrac\pi8$ due south, so that $\kappa=6\cdot\tfrac\pi8\approx2.356$ on both "
+        "sides.",
     )
 
 
-def _smooth_seam(made: Made) -> tuple[Condition, ...]:
-    ends = "same direction on both sides", "same speed $\\kappa$ on both sides"
+def _smooth_seam(made: Made, least: float) -> tuple[Condition, ...]:
+    ends = (
+        "same direction on both sides",
+        r"same speed $\kappa$ on both sides",
+        rf"speed at least $\kappa={least:g}$ there",
+    )
     if not made.closure.closed:
         why = "the curve does not close"
         return tuple(Condition(text, math.nan, 1.0, now=why) for text in ends)
@@ -398,6 +402,7 @@ def _smooth_seam(made: Made) -> tuple[Condition, ...]:
     return (
         Condition(ends[0], turn, 2.0, "°", f"now {turn:.1f}° apart"),
         Condition(ends[1], jump, 3.0, "%", said),
+        at_least(ends[2], float(min(speeds)), least, "rad per t"),
     )
 
 
@@ -411,7 +416,7 @@ def conoid(draw: Draw) -> Sketch:
     def delta(t: Array) -> Array:
         return np.asarray(size * count * np.cos(2 * np.pi * count * t))
 
-    wave = f"\\sin {_times(count)}u" if size == 1.0 else f"{size:g}\\,\\sin {_times(count)}u"
+    wave = f"\\sin {times(count)}u" if size == 1.0 else f"{size:g}\\,\\sin {times(count)}u"
     return Sketch(
         question=r"The rulings go once round the equator, $u=2\pi t$, $v=\tfrac\pi2$, and their "
         rf"heights swing, $\bar u={wave}$, $\bar v=0$: a conoid. Sketch the distribution parameter "
@@ -426,7 +431,7 @@ def conoid(draw: Draw) -> Sketch:
             r"Where the height has a maximum or a minimum, the ruling is torsal: $\delta=0$.",
             r"$\delta=\bar\kappa/\kappa=d\bar u/du$.",
         ),
-        solution=rf"$\delta=\dfrac{{d\bar u}}{{du}}={size * count:g}\cos {_times(count)}u$: "
+        solution=rf"$\delta=\dfrac{{d\bar u}}{{du}}={size * count:g}\cos {times(count)}u$: "
         "a maximum at both ends of the turn, zeros where the height is greatest and least.",
     )
 

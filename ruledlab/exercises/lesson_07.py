@@ -6,10 +6,8 @@ import math
 
 import numpy as np
 
-from ..design import Design
 from ..geometry.checks import Array
 from ..geometry.congruence import Congruence
-from ..geometry.gallery import LOOP
 from . import misconceptions as known
 from .core import (
     Choose,
@@ -27,10 +25,11 @@ from .core import (
     Option,
     Sketch,
 )
+from .designs import EXAMPLE_2, at_least, has_pitch, values
+from .tex import combination, times
 
 __all__ = ["EXERCISES"]
 
-EXAMPLE_2 = Design(LOOP, "u - v", "u + v", closing="C1", name="Example 2")
 OUTSIDE = (
     "counter-clockwise as seen from outside the sphere (and in the chart as it is drawn, with $v$ "
     "downwards)"
@@ -48,7 +47,7 @@ def apex(draw: Draw) -> Formula:
     answer = f"{h} - ({a}*cos(u) + {b}*sin(u))*cos(v)/sin(v)"
     return Formula(
         question=rf"Every line of the congruence shall pass through the point $({a},{b},{h})$. "
-        rf"Then $\bar v={_times(b)}\cos u-{_times(a)}\sin u$. Write $\bar u$.",
+        rf"Then $\bar v={times(b)}\cos u-{times(a)}\sin u$. Write $\bar u$.",
         answer=answer,
         label="ū =",
         slips=(
@@ -77,7 +76,7 @@ def apex(draw: Draw) -> Formula:
             r"turned round: $\langle\mathbf a\times\mathbf x,\mathbf x_u\rangle="
             r"\langle\mathbf a,\mathbf x\times\mathbf x_u\rangle$.",
         ),
-        solution=rf"$\bar u={h}-({_times(a)}\cos u+{_times(b)}\sin u)\cot v$. "
+        solution=rf"$\bar u={h}-({times(a)}\cos u+{times(b)}\sin u)\cot v$. "
         "Write cot v as cos(v)/sin(v).",
     )
 
@@ -140,7 +139,8 @@ def kinds(draw: Draw) -> Number:
     rows = [chosen[i] for i in order]
     names = ("(i)", "(ii)", "(iii)")
     said = ", ".join(
-        rf"{name} $\bar u={_linear(a, b)},\ \bar v={_linear(c, d)}$"
+        rf"{name} $\bar u={combination((a, 'u'), (b, 'z'))},\ "
+        rf"\bar v={combination((c, 'u'), (d, 'z'))}$"
         for name, (a, b, c, d) in zip(names, rows, strict=True)
     )
     worked = "; ".join(
@@ -222,11 +222,12 @@ def directions(draw: Draw) -> Sketch:
     """Ask for δ over the direction of the curve."""
     first, second = draw.one_of(((1.0, -1.0), (-1.0, 1.0), (2.0, -1.0), (-1.0, 2.0)))
     size = max(abs(first), abs(second))
+    form = combination((first, r"\cos^2t"), (second, r"\sin^2t"))
 
     def delta(t: Array) -> Array:
         return np.asarray(first * np.cos(t) ** 2 + second * np.sin(t) ** 2)
 
-    ubar = "-u" if first == -1 else f"{_times(int(first))}u"
+    ubar = "-u" if first == -1 else f"{times(first)}u"
     height = r"v-\tfrac\pi2"
     vbar = height if second == 1 else f"{'-' if second == -1 else int(second)}({height})"
     return Sketch(
@@ -245,7 +246,7 @@ def directions(draw: Draw) -> Sketch:
             r"Along the equator $\delta=\bar u_u$, along the meridian $\delta=\bar v_v$.",
             r"$\delta=\bar u_u\cos^2t+\bar v_v\sin^2t$.",
         ),
-        solution=rf"$\delta={_form(first, second)}$: it begins and ends with "
+        solution=rf"$\delta={form}$: it begins and ends with "
         rf"${first:g}$, reaches ${second:g}$ in the middle and is zero twice.",
     )
 
@@ -257,8 +258,8 @@ def divergence(draw: Draw) -> Formula:
     """Ask for the divergence of a field."""
     a, b = draw.integer(1, 4), draw.integer(1, 4)
     return Formula(
-        question=rf"Write the divergence of the field $\bar u={_times(a)}\sin u\cos v$, "
-        rf"$\bar v={_times(b)}\sin v$ on the sphere.",
+        question=rf"Write the divergence of the field $\bar u={times(a)}\sin u\cos v$, "
+        rf"$\bar v={times(b)}\sin v$ on the sphere.",
         answer=f"({a}*cos(u) + 2*{b})*cos(v)",
         label="divergence =",
         slips=(
@@ -280,9 +281,9 @@ def divergence(draw: Draw) -> Formula:
             r"$\bar u_u+\bar v_v+\bar v\cot v$.",
             r"$\sin v\cot v=\cos v$.",
         ),
-        solution=rf"$\bar u_u={_times(a)}\cos u\cos v$, $\bar v_v={_times(b)}\cos v$ and "
-        rf"$\bar v\cot v={_times(b)}\cos v$; their sum is "
-        rf"$({_times(a)}\cos u+{2 * b})\cos v$.",
+        solution=rf"$\bar u_u={times(a)}\cos u\cos v$, $\bar v_v={times(b)}\cos v$ and "
+        rf"$\bar v\cot v={times(b)}\cos v$; their sum is "
+        rf"$({times(a)}\cos u+{2 * b})\cos v$.",
     )
 
 
@@ -336,17 +337,17 @@ def no_pitch(draw: Draw) -> Drag:
     length, turn = float(surface.arc_lengths().kappa), surface.angle_of_pitch()
 
     def conditions(made: Made) -> tuple[Condition, ...]:
-        texts = ("pitch $l=0$", rf"$|\delta|$ reaches ${least:g}$", "the loop on the sphere is "
-                 "that of Example 2")  # fmt: skip
+        pitch = has_pitch(made, within=0.005)
+        texts = rf"$|\delta|$ reaches ${least:g}$", "the loop on the sphere is that of Example 2"
         if made.pitch is None:
-            return tuple(Condition(t, math.nan, 1.0, now="it does not close") for t in texts)
-        now, twist = float(made.pitch.dual), _greatest_delta(made)
+            others = (Condition(t, math.nan, 1.0, now="it does not close") for t in texts)
+            return (pitch, *others)
         moved = abs(float(made.surface.arc_lengths().kappa) - length)
         moved = max(moved, abs(abs(float(made.pitch.real)) - abs(turn)))
         return (
-            Condition(texts[0], abs(now), 0.005, "length", f"now $l={now:.3f}$"),
-            Condition(texts[1], max(least - twist, 0.0), 1e-6, "length", f"now {twist:.2f}"),
-            Condition(texts[2], moved, 0.02, "", r"judged by $\oint\kappa\,dt$ and $\lambda$"),
+            pitch,
+            at_least(texts[0], _greatest_delta(made), least, "length"),
+            Condition(texts[1], moved, 0.02, "", r"judged by $\oint\kappa\,dt$ and $\lambda$"),
         )
 
     return Drag(
@@ -380,8 +381,7 @@ def no_pitch(draw: Draw) -> Drag:
 
 
 def _greatest_delta(made: Made) -> float:
-    delta = made.surface.invariants(np.linspace(*made.surface.domain, 101)).delta
-    return float(np.abs(delta[np.isfinite(delta)]).max(initial=0.0))
+    return float(np.abs(values(made, "delta", 101)).max(initial=0.0))
 
 
 def normals(draw: Draw) -> FindSlip:
@@ -482,7 +482,7 @@ def developable(draw: Draw) -> Formula:
         ),
     )
     return Formula(
-        question=rf"The curve is $u={_times(rate)}t,\ v=t$, and $\bar u$ is constant. Which "
+        question=rf"The curve is $u={times(rate)}t,\ v=t$, and $\bar u$ is constant. Which "
         rf"$\bar v(t)$ makes the surface developable and has $\bar v={first}$ at $t=\tfrac\pi2$?",
         answer=f"{first}*exp({rate**2}*cos(t)**2/2)",
         variables=variables,
@@ -551,23 +551,6 @@ def flux(draw: Draw) -> Code:
         solution=f"<pre>value = congruence.flux(({u0:g}, {u1:g}), ({v0:g}, {v1:g}))</pre>"
         rf"$l={value:.6f}$.",
     )
-
-
-def _form(first: float, second: float) -> str:
-    parts = ((first, r"\cos^2t"), (second, r"\sin^2t"))
-    text = "".join(f"{'-' if n < 0 else '+'}{_times(int(abs(n)))}{name}" for n, name in parts)
-    return text.removeprefix("+")
-
-
-def _times(factor: int) -> str:
-    return "" if factor == 1 else f"{factor}"
-
-
-def _linear(first: int, second: int) -> str:
-    """Return ``2u - z`` and the like."""
-    parts = [(first, "u"), (second, "z")]
-    text = "".join(f"{n:+d}{name}" for n, name in parts if n).replace("1u", "u").replace("1z", "z")
-    return text.removeprefix("+") or "0"
 
 
 EXERCISES = (

@@ -10,6 +10,7 @@ import numpy as np
 from ..design import Design
 from ..geometry import Line as SpaceLine
 from ..geometry import gallery, steiner_angle
+from ..geometry.checks import Array
 from ..geometry.gallery import LOOP
 from . import misconceptions as known
 from .core import (
@@ -26,11 +27,13 @@ from .core import (
     Misconception,
     Number,
     Option,
+    Sketch,
 )
+from .designs import EXAMPLE_2, at_least, enlarged, has_pitch
+from .tex import combination
 
 __all__ = ["EXERCISES"]
 
-EXAMPLE_2 = Design(LOOP, "u - v", "u + v", closing="C1", name="Example 2")
 TURN = 2 * math.pi
 
 
@@ -297,16 +300,8 @@ def no_pitch(draw: Draw) -> Drag:
     length = draw.one_of((1.0, 1.1, 1.2))
 
     def conditions(made: Made) -> tuple[Condition, ...]:
-        long = _length(made)
-        return (
-            _pitch_condition(made),
-            Condition(
-                rf"the loop on the sphere is at least ${length:g}$ long",
-                max(0.0, length - long),
-                0.0,
-                now=f"now {long:.2f}",
-            ),
-        )
+        text = rf"the loop on the sphere is at least ${length:g}$ long"
+        return has_pitch(made), at_least(text, _length(made), length)
 
     return Drag(
         question=r"Drag this closed design until its pitch is zero, $|l|\le0.02$, without making "
@@ -318,10 +313,10 @@ def no_pitch(draw: Draw) -> Drag:
         slips=(
             Misconception(
                 "pitch made small with the loop",
-                lambda made: _pitch_condition(made).met and _length(made) < length,
+                lambda made: has_pitch(made).met and _length(made) < length,
                 "The pitch is zero nearly, because the loop encloses nearly nothing. Find a place "
                 "where the flux through one part makes up for that through another.",
-                _shrunk(0.12),
+                enlarged(EXAMPLE_2, 0.12),
             ),
         ),
         because="Two parts of the region send the same flux in opposite directions.",
@@ -336,17 +331,8 @@ def no_pitch(draw: Draw) -> Drag:
     )
 
 
-def _pitch_condition(made: Made) -> Condition:
-    text = "$l=0$"
-    if made.pitch is None:
-        return Condition(text, math.nan, 0.02, now="the surface does not close")
-    now = float(made.pitch.dual)
-    return Condition(text, abs(now), 0.02, "length", f"now $l={now:.3f}$".replace("-", "−"))
-
-
 def _length(made: Made) -> float:
-    x = made.surface.line(np.linspace(*made.surface.domain, 200)).direction
-    return float(np.linalg.norm(np.diff(x, axis=0), axis=1).sum())
+    return float(made.surface.arc_lengths().kappa)
 
 
 @functools.cache
@@ -363,12 +349,6 @@ def _without_pitch() -> Design:
 
 def _moved(shift: float) -> Design:
     return EXAMPLE_2.with_(points=tuple((u, v + shift) for u, v in LOOP))
-
-
-def _shrunk(factor: float) -> Design:
-    middle = np.full(2, math.pi / 4)
-    points = middle + factor * (np.array(LOOP) - middle)
-    return EXAMPLE_2.with_(points=tuple((float(u), float(v)) for u, v in points))
 
 
 def trajectory_slip(draw: Draw) -> FindSlip:
@@ -423,6 +403,44 @@ def trajectory_slip(draw: Draw) -> FindSlip:
         ),
         solution=r"(24) has lost the minus sign of (10): "
         r"$l=\oint w'\,dt=-\oint\sin v\,(\bar u v'-\bar v u')\,dt$.",
+    )
+
+
+def walk_drawn(draw: Draw) -> Sketch:
+    """Ask for the walk over one turn, which does not come back to where it began."""
+    swing, steady = draw.one_of(((2, 0.5), (3, 0.5), (4, 1.0)))
+    side = draw.one_of((1, -1))
+
+    def walked(t: Array) -> Array:
+        return np.asarray(side * (swing * (1 - np.cos(TURN * t)) - steady * TURN * t))
+
+    wave, constant = side * swing, -side * steady
+    vbar, pitch = (
+        combination((wave, r"\sin u"), (constant, "")),
+        combination((2 * constant, r"\pi")),
+    )
+    halfway = f"{2 * wave + constant * math.pi:.1f}"
+    total = combination((wave, r"(1-\cos2\pi t)"), (2 * constant, r"\pi t"))
+    return Sketch(
+        question=r"All rulings are horizontal, $u=2\pi t$ and $v=\tfrac\pi2$. Their heights "
+        rf"swing, $\bar u=\sin2u$, and $\bar v={vbar}$. A walker starts in the foot point "
+        r"$\mathbf c(0)$ and crosses every ruling at a right angle, "
+        r"$\mathbf p=\mathbf c+w\,\mathbf x$. Sketch $w$ over one turn.",
+        curve=walked,
+        heights=(-2.2 * swing, 2.2 * swing),
+        label="w",
+        because=rf"The surface closes, the walk does not: $w(1)=l={pitch}$.",
+        hints=(
+            r"$w'=-\langle\mathbf c',\mathbf x\rangle=-\sin v\,(\bar u v'-\bar v u')$. What is "
+            "left of it here?",
+            r"$w'=2\pi\bar v$: the heights do not count, as they are at right angles to the "
+            r"rulings. So $w$ rises where $\bar v>0$ and falls where $\bar v<0$.",
+            r"In a whole turn the wave adds nothing, and the constant adds $2\pi$ times itself: "
+            rf"$w(1)={pitch}$. Halfway it is $w(\tfrac12)\approx{halfway}$.",
+        ),
+        solution=rf"$w'=2\pi\bar v$, so $w={total}$. It turns where $\bar v=0$, just after the "
+        r"start and shortly before $t=\tfrac12$, and ends on the other side of its start, at "
+        rf"$l={pitch}$.",
     )
 
 
@@ -553,5 +571,6 @@ EXERCISES = (
     Exercise("08.9", "A line in the frame", carried_pitch),
     Exercise("08.10", "Λ in a line of Python", lambda_of_gallery),
     Exercise("08.11", "A line beside the frame", carried_line),
+    Exercise("08.12", "The walk, drawn", walk_drawn),
 )
 """The exercises in their order."""

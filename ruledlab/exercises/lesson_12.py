@@ -25,6 +25,7 @@ from .core import (
     Number,
     Option,
 )
+from .designs import at_least
 
 __all__ = ["EXERCISES"]
 
@@ -554,10 +555,10 @@ def agreement(draw: Draw) -> Drag:
                 "rad per t",
                 f"now by {off:.2f}" if off == off else "somewhere one of them is undefined",
             ),
-            Condition(
+            at_least(
                 r"the path does not stand still: $\kappa\ge0.5$",
-                max(0.0, 0.5 - speed),
-                0.01,
+                speed,
+                0.5,
                 "rad per t",
                 rf"least $\kappa={speed:.2f}$",
             ),
