@@ -9,6 +9,7 @@ import json
 import math
 import re
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,7 @@ import pytest
 import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
 from ruledlab.design import Design
 from ruledlab.exercises import check, core, misconceptions, shape
@@ -34,6 +36,7 @@ from ruledlab.exercises.core import (
     Misconception,
     Number,
     Option,
+    Place,
     Sketch,
     Task,
     Verdict,
@@ -46,6 +49,8 @@ from ruledlab.exercises.record import kept
 from ruledlab.exercises.store import Store
 from ruledlab.geometry import Dual, GeometryError, RuledSurface, gallery, trajectory, vector
 from ruledlab.geometry.curve import Bezier, drag
+from ruledlab.geometry.line import Line as OrientedLine
+from ruledlab.pair import OneLine, TwoLines
 
 PACKAGE = Path(core.__file__).parent
 SEEDS = ("", "1", "Ada", "Σ", "a very long name " * 20)
@@ -703,6 +708,68 @@ def test_designs_that_are_near_hear_how_near() -> None:
     assert "still off by" in verdict.word
     opened = task.wrong_answer().with_(closing="open", points=gallery.LOOP[:-1])
     assert "does not close" in task.judge(opened).word
+
+
+# -- two lines -------------------------------------------------------------------------------------
+
+quarter_turns = st.floats(-math.pi, math.pi)
+shift = st.floats(-0.8, 0.8)
+
+
+def carried_line(line: OrientedLine, turn: np.ndarray, by: np.ndarray, slid: float) -> OneLine:
+    """A line after a rigid motion, given by another of its points."""
+    x, y, z = turn @ line.direction
+    point = turn @ line.point(slid) + by
+    return OneLine(math.atan2(y, x), math.atan2(math.hypot(x, y), z), *map(float, point))
+
+
+@settings(max_examples=40)
+@given(st.sampled_from(MANY[:8]), st.tuples(*[quarter_turns] * 3), st.tuples(*[shift] * 5))
+def test_every_position_with_the_same_dual_angle_passes(
+    seed: str, angles: tuple[float, ...], shifts: tuple[float, ...]
+) -> None:
+    task = find("02.12").task(seed)
+    assert isinstance(task, Place)
+    turn = Rotation.from_euler("zxz", angles).as_matrix()
+    a, b = (
+        carried_line(line, turn, np.array(shifts[:3]), slid)
+        for line, slid in zip((task.model.a.line, task.model.b.line), shifts[3:], strict=True)
+    )
+    assert task.judge(TwoLines(a, b)).right
+    assert task.judge(TwoLines(b, a)).right  # both turn round: the way and x × y
+    assert task.judge(TwoLines(a.reversed(), b.reversed())).right
+    for wrong in (TwoLines(a.reversed(), b), TwoLines(a, b.reversed())):
+        assert task.judge(wrong).slip == "orientation ignored"
+    mirrored = [replace(line, v=math.pi - line.v, z=-line.z) for line in (a, b)]
+    assert task.judge(TwoLines(*mirrored)).slip == "distance unsigned"
+
+
+@pytest.mark.parametrize("seed", MANY[:8])
+@pytest.mark.parametrize("turn", [0.6, 2.0, -1.3, math.pi])
+def test_any_line_that_is_turned_in_its_plane_about_the_origin_has_its_moment(
+    seed: str, turn: float
+) -> None:
+    task = find("02.13").task(seed)
+    assert isinstance(task, Place)
+    line = task.start.a.line
+    axis = turn * line.moment / np.linalg.norm(line.moment)
+    matrix = Rotation.from_rotvec(axis).as_matrix()
+    b = carried_line(line, matrix, np.zeros(3), 0.3)
+    assert task.judge(TwoLines(task.start.a, b)).right
+    assert task.judge(TwoLines(b, task.start.a)).right
+    farther = replace(b, x=1.2 * b.x, y=1.2 * b.y, z=1.2 * b.z)
+    assert "still off by" in task.judge(TwoLines(task.start.a, farther)).word
+    reversed_ = task.judge(TwoLines(task.start.a, b.reversed()))
+    assert reversed_.slip == "the other way round the origin"
+
+
+def test_two_lines_may_be_given_as_the_state_of_the_lessons_picture(tmp_path: Path) -> None:
+    store, task = Store(tmp_path / "p.json"), find("02.12").task()
+    model = task.right_answer()
+    for form in (model, model.numbers, tuple(map(tuple, model.numbers))):
+        assert check("02.12", form, store)
+        assert store.record("02.12")["answer"] == model.numbers
+    assert "give two lines, such as app.slate.value" in check("02.12", None, store).verdict.word
 
 
 # -- sketches --------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -18,7 +19,9 @@ from ruledlab.exercises.store import Store
 from ruledlab.exercises.widgets import Card
 from ruledlab.lab import Lab
 
-ALL = pytest.mark.parametrize("made", lesson("06"), ids=lambda e: e.key)
+PLACES = tuple(e for e in lesson("02") if e.task().kind == "place")
+ALL = pytest.mark.parametrize("made", (*lesson("06"), *PLACES), ids=lambda e: e.key)
+MOVED = ("drag", "place")
 
 
 @pytest.fixture
@@ -61,8 +64,8 @@ def play(card: Card, answer: Any) -> None:
         say(fronts(card)[0], text=answer)
     elif kind == "sketch":
         say(fronts(card)[0], sketch=answer)
-    elif kind == "drag":
-        card.box.lab.load(answer, "test")
+    elif kind in MOVED:
+        card.box.slate.load(answer, "test")
     elif kind == "code":
         check(card.exercise.key, answer, store)
     else:
@@ -79,7 +82,7 @@ def play(card: Card, answer: Any) -> None:
 @ALL
 def test_it_is_answered_wrongly_then_rightly_and_restored(made: Exercise, store: Store) -> None:
     card = exercise(made.key, store=store)
-    if made.task().kind != "drag":  # a drag begins with a wrong design
+    if made.task().kind not in MOVED:  # they begin with a wrong value
         play(card, card.task.wrong_answer())
         assert "Not yet." in shown(card)
         assert store.record(made.key)["right"] is False
@@ -180,6 +183,123 @@ def test_a_design_that_is_being_worked_on_is_kept(store: Store) -> None:
     again.close()
 
 
+# -- two lines in hand -----------------------------------------------------------------------------
+
+
+def pull(card: Card, index: int, by: tuple[float, float], drag: int = 1) -> None:
+    """Move a handle in the picture by pixels, as the browser reports it."""
+    handles = card.box.figure.handles
+    handle = handles.picture["handles"][index]
+    handles.motion = ["view", drag, index, handle["x"] + by[0], handle["y"] + by[1]]
+
+
+@pytest.fixture
+def placing(store: Store) -> Iterator[Card]:
+    card = exercise("02.12", store=store)
+    yield card
+    assert not any(g.defect.value for g in (card._group, *card.box.figure._groups))
+    card.close()
+
+
+def test_two_lines_are_moved_by_hand_and_every_condition_follows(placing: Card) -> None:
+    before = shown(placing.box._conditions)
+    pull(placing, 2, (30, 10))
+    assert shown(placing.box._conditions) != before
+    pull(placing, 3, (15, -10), drag=2)
+    moved = placing.box.slate.value
+    placing.box.figure.history.undo.click()
+    assert placing.box.slate.value != moved
+    placing.box.figure.history.undo.click()
+    assert placing.box.slate.value == placing.task.start
+    assert shown(placing.box._conditions) == before
+    assert placing.box.figure.lines.which.value == "b"
+
+
+def test_two_lines_are_placed_by_typing_exact_numbers(placing: Card) -> None:
+    fields = placing.box.figure.lines.numbers
+    for name in ("u", "v", "x", "y", "z"):
+        assert "Right." not in shown(placing._verdict)
+        fields[name].field.value = repr(getattr(placing.task.model.b, name))
+    assert "Right." in shown(placing._verdict)
+    assert shown(placing.box._conditions).count("holds") == 2
+
+
+@pytest.mark.parametrize("made", PLACES, ids=lambda e: e.key)
+def test_a_wrong_position_hears_its_name_while_it_is_there(made: Exercise, store: Store) -> None:
+    card = exercise(made.key, store=store)
+    for slip in card.task.slips:
+        card.box.slate.load(slip.example, "test")
+        assert slip.name in shown(card._verdict)
+        card.box.figure.history.undo.click()
+        assert shown(card._verdict) == ""
+    assert store.record(made.key).get("right") is None  # seen on the way, not given as an answer
+    card.close()
+
+
+def test_two_lines_that_are_being_worked_on_are_kept(store: Store) -> None:
+    card = exercise("02.12", store=store)
+    pull(card, 2, (40, 25))
+    reached = card.box.slate.value
+    assert reached != card.task.start
+    card.close()  # before the pause is over
+    again = exercise("02.12", store=Store(store.path))
+    assert again.box.slate.value == reached
+    assert "off by" in shown(again)
+    assert "Not yet." not in shown(again)
+    assert store.record("02.12")["right"] is False
+    again.close()
+
+
+def test_undo_leads_back_from_two_lines_shown_as_the_solution(placing: Card, store: Store) -> None:
+    pull(placing, 2, (40, 25))
+    reached = placing.box.slate.value
+    placing._solve.click()
+    assert placing.box.slate.value == placing.task.model
+    assert store.record("02.12")["right"] is False
+    placing.box.figure.history.undo.click()
+    assert placing.box.slate.value == reached
+
+
+DAMAGED: dict[str, Any] = {
+    "a design": "ruledlab1:abc",
+    "names": {"a": [0, 0, 0, 0, 0]},
+    "one line": [[0, 0, 0, 0, 0]],
+    "a number short": [[0, 0, 0, 0], [0, 0, 0, 0, 0]],
+    "no number": [[0, 0, 0, 0, 0], [0, 0, 0, 0, None]],
+    "true": [[0, 0, 0, 0, 0], [0, 0, 0, 0, True]],
+    "huge": [[0, 0, 0, 0, 0], [0, 0, 0, 0, 10**400]],
+    "no colatitude": [[0, 0, 0, 0, 0], [0, 4, 0, 0, 0]],
+}
+
+
+@pytest.mark.parametrize("kept", DAMAGED.values(), ids=DAMAGED)
+def test_damaged_numbers_of_two_lines_are_passed_over(kept: Any, store: Store) -> None:
+    path = store.path
+    store.update("02.12", answer=1.5, right=False, seed="")
+    path.write_text(path.read_text().replace("1.5", json.dumps(kept)))
+    card = exercise("02.12", store=Store(path))
+    assert card.box.slate.value == card.task.start
+    assert shown(card._verdict) == ""
+    assert card.task.judge(kept).state == "unread"
+    card.close()
+
+
+def test_a_lesson_makes_a_picture_of_space_only_for_the_card_that_is_opened(store: Store) -> None:
+    def spaces() -> int:
+        return sum(type(widget).__name__ == "Renderer" for widget in _instances.values())
+
+    before = spaces()
+    whole = exercises("02", store)
+    assert spaces() == before
+    whole._buttons["02.12"].click()
+    assert spaces() == before + 1
+    whole.close()
+    assert spaces() == before
+
+
+# -- the other kinds -------------------------------------------------------------------------------
+
+
 def test_a_solution_shown_in_the_chart_is_no_answer(store: Store) -> None:
     card = exercise("06.8", store=store)
     card._solve.click()
@@ -258,6 +378,7 @@ UNFIT = {
     "number": "banana",
     "formula": {"a": 1},
     "drag": "banana",
+    "place": [["banana"] * 5, [0, 0, 0, 0, 1e9]],
     "sketch": ["a"] * 65,
     "code": [[1, 2], [3]],
     "slip": {"line": [], "then": 5},

@@ -17,7 +17,8 @@ import ipywidgets
 from ruledlab.exercises.core import Choose, Code, FindSlip, Number, find
 from ruledlab.lab import two_lines
 from ruledlab.lab.apps.lesson_02 import NUMBERS
-from ruledlab.lab.scenes.line_pair import PRESETS, TwoLines
+from ruledlab.lab.scenes.line_pair import PRESETS
+from ruledlab.pair import TwoLines
 
 SEEDS = ("", "1", "2", "Ada", "Σ", "q")
 
@@ -95,16 +96,16 @@ def test_the_menu_puts_two_lines_in_place_and_undo_leads_back(app):
     for name, lines in PRESETS.items():
         app.lines.numbers["y"].field.value = "3"
         moved = app.slate.value
-        assert app.lines.preset.value == ""
-        app.lines.preset.value = name
+        assert app.preset.menu.value == ""
+        app.preset.menu.value = name
         assert app.slate.value == lines
         assert f"<b>{name}</b>" in app.of_pair.value
         app.history.undo.click()
-        assert (app.slate.value, app.lines.preset.value) == (moved, "")
+        assert (app.slate.value, app.preset.menu.value) == (moved, "")
         app.history.redo.click()
-        assert (app.slate.value, app.lines.preset.value) == (lines, name)
+        assert (app.slate.value, app.preset.menu.value) == (lines, name)
         app.history.reset.click()
-        assert (app.slate.value, app.lines.preset.value) == (PRESETS["skew"], "skew")
+        assert (app.slate.value, app.preset.menu.value) == (PRESETS["skew"], "skew")
 
 
 def test_the_moves_of_one_slider_are_one_step_of_undo(app):
@@ -129,7 +130,7 @@ def test_reverse_changes_both_signs_of_the_chosen_line_only(app, name):
         same = [getattr(getattr(pair, other), part) for pair in (before, after)]
         np.testing.assert_array_equal(*same)
     assert after.across.distance == pytest.approx(-before.across.distance)
-    assert app.lines.preset.value == ""
+    assert app.preset.menu.value == ""
     app.lines.reverse.click()
     np.testing.assert_allclose(app.slate.result.a.moment, before.a.moment, atol=1e-14)
 
@@ -225,29 +226,29 @@ def test_the_camera_stays_while_a_line_moves_and_comes_back_for_another_position
     monkeypatch.setattr(app.view, "frame", lambda *ball: frames.append(ball))
     app.lines.numbers["x"].slider.value = 2.0
     assert not frames
-    app.lines.preset.value = "parallel"
+    app.preset.menu.value = "parallel"
     app.look.home.click()
     assert len(frames) == 2
 
 
 def test_the_words_for_the_picture_follow(app):
-    app.lines.preset.value = "meeting"
+    app.preset.menu.value = "meeting"
     assert "They are meeting" in app.view._words.value
-    app.lines.preset.value = "equal"
+    app.preset.menu.value = "equal"
     assert "one line, X = Y" in app.view._words.value
 
 
 def test_an_app_begins_where_it_is_told():
     app = two_lines(PRESETS["parallel"])
     assert app.slate.value == PRESETS["parallel"]
-    assert app.lines.preset.value == "parallel"
+    assert app.preset.menu.value == "parallel"
     app.close()
 
 
 def test_it_closes_without_a_trace():
     before = set(ipywidgets.widget._instances)
     app = two_lines()
-    app.lines.preset.value = "parallel"
+    app.preset.menu.value = "parallel"
     app.lines.which.value = "b"
     app.close()
     assert set(ipywidgets.widget._instances) == before

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import json
 import math
 import re
 from dataclasses import replace
@@ -12,12 +13,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from ruledlab.geometry import GeometryError
 from ruledlab.lab.scenes.line_pair import (
     FAR,
     PRESETS,
-    OneLine,
-    TwoLines,
-    between,
     lines_html,
     pair_html,
     picture,
@@ -25,6 +24,7 @@ from ruledlab.lab.scenes.line_pair import (
     sight,
     words,
 )
+from ruledlab.pair import OneLine, TwoLines, between
 
 longitude = st.floats(-6.3, 6.3)
 colatitude = st.floats(0.0, math.pi)
@@ -73,6 +73,31 @@ def test_the_direction_has_its_angles_and_the_line_its_point(line):
     )
     point = np.array([line.x, line.y, line.z])
     np.testing.assert_allclose(line.line.moment, np.cross(point, x), atol=1e-12)
+
+
+@few
+@given(two)
+def test_two_lines_are_kept_as_numbers_and_come_back(lines):
+    kept = json.loads(json.dumps(lines.numbers, allow_nan=False))
+    assert TwoLines.from_numbers(kept) == lines
+
+
+@pytest.mark.parametrize(
+    ("numbers", "says"),
+    [
+        ("ten numbers", "two lists .* of the type str"),
+        ([[0, 0, 0, 0, 0]], "two lists"),
+        ([[0, 0, 0, 0, 0], [0, 0, 0, 0]], "two lists"),
+        ([[0, 0, 0, 0, 0], [0, 0, 0, 0, "1"]], "`z` of a line must be a number"),
+        ([[True, 0, 0, 0, 0], [0, 0, 0, 0, 0]], "`u` of a line must be a number"),
+        ([[0, 0, 0, 0, 0], [0, -0.1, 0, 0, 0]], "`v` of a line must lie between 0 and 3.142"),
+        ([[0, 0, math.nan, 0, 0], [0, 0, 0, 0, 0]], "`x` of a line must lie between -4 and 4"),
+        ([[0, 0, 0, 10**5000, 0], [0, 0, 0, 0, 0]], "`y` of a line must lie"),
+    ],
+)
+def test_numbers_that_are_no_two_lines_are_refused(numbers, says):
+    with pytest.raises(GeometryError, match=says):
+        TwoLines.from_numbers(numbers)
 
 
 @few

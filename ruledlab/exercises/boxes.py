@@ -14,14 +14,14 @@ import ipywidgets as w
 import numpy as np
 import traitlets
 
-from ..design import Design
-from ..geometry.checks import GeometryError
 from ..lab.apps import chart
+from ..lab.apps.lesson_02 import LinesFigure
 from ..lab.controls import FieldControl, Group, HistoryControl
 from ..lab.palette import DARK, LIGHT
 from ..lab.plots import CurvePlots
-from ..lab.slate import Change
+from ..lab.slate import Change, Slate
 from ..lab.state import Lab
+from ..pair import between
 from .core import (
     UNREAD,
     Choose,
@@ -30,13 +30,27 @@ from .core import (
     Drag,
     FindSlip,
     Formula,
+    Goal,
     Number,
+    Place,
     Sketch,
     Task,
 )
 from .record import STYLE
 
-__all__ = ["Box", "ChooseBox", "DragBox", "box_for", "close_all", "maths", "press", "show", "style"]
+__all__ = [
+    "Box",
+    "ChooseBox",
+    "DragBox",
+    "GoalBox",
+    "PlaceBox",
+    "box_for",
+    "close_all",
+    "maths",
+    "press",
+    "show",
+    "style",
+]
 
 _STATIC: Final = pathlib.Path(__file__).parent / "static"
 _STYLE: Final = STYLE + (_STATIC / "exercises.css").read_text(encoding="utf-8")
@@ -304,70 +318,54 @@ class SlipBox(Box):
             self._then.show(answer.get("then"))
 
 
-class DragBox(Box):
-    """The chart of a lab, and its conditions with how far off each is, live."""
+Part = tuple[Any, Callable[[], None]]
+"""A widget, and what closes it."""
+
+
+class GoalBox(Box):
+    """What is moved, and its conditions with how far off each is, live.
+
+    Attributes
+    ----------
+    slate
+        the state of what is moved.
+    draft
+        called with the value when the hand rests.
+    """
 
     def __init__(
-        self, group: Group, submit: Submit, task: Drag, say: Submit, lab: Lab | None
+        self,
+        group: Group,
+        submit: Submit,
+        task: Goal[Any, Any],
+        say: Submit,
+        slate: Slate[Any, Any],
+        parts: Sequence[Part],
     ) -> None:
         super().__init__(group, submit)
         self._task, self._say, self._met = task, say, False
-        self.draft: Callable[[Design], None] = lambda design: None
+        self.draft: Submit = lambda value: None
         self._timer: threading.Timer | None = None
-        self._given = lab is not None
-        self.lab = Lab(task.start) if lab is None else lab
+        self.slate, self._parts = slate, parts
         self._conditions = maths("", "ruledlab-conditions")
-        self._parts: list[Any] = [] if self._given else self._own_parts()
-        self.widget.children = [self._conditions, *(part for part, _ in self._parts)]
-        self.widget.add_class("ruledlab-drag")
+        self.widget.children = [self._conditions, *(part for part, _ in parts)]
         self._quiet = True  # opening it is no answer
         self._update(Change(scene=True))
         self._quiet = False
-        group.follow(self.lab, self._update)
-
-    def _own_parts(self) -> list[tuple[Any, Callable[[], None]]]:
-        figure = chart(self.lab)
-        parts = [_control(HistoryControl(self.lab)), (figure, figure.close)]
-        if self._task.fields:
-            parts.append(_control(FieldControl(self.lab)))
-        if self._task.plots:
-            parts.append(self._own_plots(figure))
-        return parts
-
-    def _own_plots(self, figure: Any) -> tuple[Any, Callable[[], None]]:
-        plots = CurvePlots(self._task.plots)
-        releases = [
-            plots.on_pick(self.lab.move_cursor),
-            figure.on_theme(plots.set_theme),
-            self.lab.follow(
-                lambda change: (
-                    plots.draw(self.lab.result.scene, self.lab.mark)
-                    if change.scene
-                    else plots.draw_cursor(self.lab.mark)
-                )
-            ),
-        ]
-        plots.draw(self.lab.result.scene, self.lab.mark)
-
-        def close() -> None:
-            for release in releases:
-                release()
-            plots.close()
-
-        return plots.widget, close
+        group.follow(slate, self._update)
 
     def _update(self, change: Change) -> None:
         if not change.scene:
             return
-        conditions = self._task.conditions(self.lab.result)
+        conditions = self._task.conditions(self.slate.result)
         show(self._conditions, conditions_html(conditions))
         if self._quiet:
             return
         was, self._met = self._met, all(condition.met for condition in conditions)
         if self._met and not was:
-            self.submit(self.lab.design)
+            self.submit(self.slate.value)
         elif not self._met:
-            verdict = self._task.judge(self.lab.result)
+            verdict = self._task.judged(self.slate.result)
             self._say(verdict if verdict.slip else None)
         self._save_later()
 
@@ -381,31 +379,25 @@ class DragBox(Box):
 
     def _save(self) -> None:
         self._timer = None
-        self.group.guard(lambda: self.draft(self.lab.design))
+        self.group.guard(lambda: self.draft(self.slate.value))
 
     def show(self, answer: Any) -> None:
-        """Open a design that was reached earlier."""
-        if not isinstance(answer, str) or self._given:
-            return
-        try:
-            design = Design.from_text(answer)
-        except GeometryError:
-            return
-        self._load(design)
+        """Put in place what was reached earlier."""
+        self._load(self._task.value_of(answer))
 
-    def _load(self, design: Design) -> None:
-        """Put a design in place without taking it for the reader's answer."""
+    def _load(self, value: Any) -> None:
+        """Put a value in place without taking it for the reader's answer."""
         self._quiet = True
-        self.lab.load(design, "exercise")
+        self.slate.load(value, "exercise")
         self._quiet = False
-        self._met = all(c.met for c in self._task.conditions(self.lab.result))
+        self._met = all(c.met for c in self._task.conditions(self.slate.result))
 
     def reveal(self) -> None:
-        """Show a design that fulfils the conditions; undo leads back."""
+        """Show a value that fulfils the conditions; undo leads back."""
         self._load(self._task.model)
 
     def close(self) -> None:
-        """Save what is not saved yet, let go of the lab and of all parts."""
+        """Save what is not saved yet, let go of the state and of all parts."""
         if self._timer is not None:
             self._timer.cancel()
             self._save()
@@ -413,7 +405,74 @@ class DragBox(Box):
             close()
 
 
-def _control(group: Any) -> tuple[Any, Callable[[], None]]:
+class DragBox(GoalBox):
+    """The chart of a lab, with fields and plots where the task has them.
+
+    Attributes
+    ----------
+    lab
+        the lab, also if it was given and is shown elsewhere.
+    """
+
+    def __init__(
+        self, group: Group, submit: Submit, task: Drag, say: Submit, lab: Lab | None
+    ) -> None:
+        self._given = lab is not None
+        self.lab = Lab(task.start) if lab is None else lab
+        parts = [] if self._given else _chart_parts(self.lab, task)
+        super().__init__(group, submit, task, say, self.lab, parts)
+        self.widget.add_class("ruledlab-drag")
+
+    def show(self, answer: Any) -> None:
+        """Open a design that was reached earlier; a lab that was given keeps its own."""
+        if not self._given:
+            super().show(answer)
+
+
+def _chart_parts(lab: Lab, task: Drag) -> list[Part]:
+    figure = chart(lab)
+    parts = [_control(HistoryControl(lab)), (figure, figure.close)]
+    if task.fields:
+        parts.append(_control(FieldControl(lab)))
+    if task.plots:
+        parts.append(_plots(lab, task.plots, figure))
+    return parts
+
+
+def _plots(lab: Lab, names: Sequence[str], figure: Any) -> Part:
+    plots = CurvePlots(names)
+    releases = [
+        plots.on_pick(lab.move_cursor),
+        figure.on_theme(plots.set_theme),
+        lab.follow(
+            lambda change: (
+                plots.draw(lab.result.scene, lab.mark)
+                if change.scene
+                else plots.draw_cursor(lab.mark)
+            )
+        ),
+    ]
+    plots.draw(lab.result.scene, lab.mark)
+
+    def close() -> None:
+        for release in releases:
+            release()
+        plots.close()
+
+    return plots.widget, close
+
+
+class PlaceBox(GoalBox):
+    """Two lines in space to take in hand."""
+
+    def __init__(self, group: Group, submit: Submit, task: Place, say: Submit) -> None:
+        self.figure = LinesFigure(Slate(task.start, between))
+        self.figure.lines.which.value = "b"  # the one that is asked for
+        parts = [(self.figure, self.figure.close)]
+        super().__init__(group, submit, task, say, self.figure.slate, parts)
+
+
+def _control(group: Any) -> Part:
     """Return a control's widget and what closes it."""
     if group.defect not in group.widget.children:
         group.widget.children = (*group.widget.children, group.defect)
@@ -477,6 +536,8 @@ def box_for(
             return FieldBox(group, submit, label, example=f"a formula in {letters}")
         case Drag():
             return DragBox(group, submit, task, say, lab)
+        case Place():
+            return PlaceBox(group, submit, task, say)
         case Sketch():
             return SketchBox(group, submit, task, say)
         case FindSlip():

@@ -7,20 +7,26 @@ import math
 import numpy as np
 
 from ..geometry.checks import Array
-from ..geometry.line import Line, dual_angle
+from ..geometry.line import Line, dual_angle, on_sphere
+from ..pair import OneLine, Pair, TwoLines
 from . import misconceptions as known
+from . import tex
 from .core import (
     Choose,
     Code,
+    Condition,
     Draw,
     Exercise,
     FindSlip,
     Formula,
+    Misconception,
     Number,
     Option,
+    Place,
     Sketch,
 )
 from .core import Line as Printed
+from .designs import at_least
 
 __all__ = ["EXERCISES"]
 
@@ -535,6 +541,166 @@ def foot(draw: Draw) -> FindSlip:
     )
 
 
+# -- two lines in hand -----------------------------------------------------------------------------
+
+WITHIN = 0.02  # a hand is not exact: rad, and units of length
+SAME = 0.03  # the same for moments: they carry the slips of angle and place
+
+
+def to_order(draw: Draw) -> Place:
+    """Ask for two lines with a given dual angle; the sign of d counts."""
+    theta = math.pi * draw.one_of((1 / 4, 1 / 3, 2 / 3, 3 / 4))
+    name = tex.angle(theta)
+    d, height = draw.one_of((1.0, -1.0, 1.5, -1.5)), draw.one_of((0.0, 0.5, -0.5))
+    level = OneLine(0.0, math.pi / 2, -0.5, 0.0, height)
+
+    def with_b_at(z: float) -> TwoLines:
+        x, y = 0.5 + 0.8 * math.cos(theta), 0.8 * math.sin(theta)
+        return TwoLines(level, OneLine(theta, math.pi / 2, round(x, 2), round(y, 2), z))
+
+    model = with_b_at(height + d)
+    above = "above" if d > 0 else "below"
+    return Place(
+        question=rf"Take line B in hand and bring it where $\theta={name}$ and $d={d:g}$; the sign "
+        r"of $d$ counts. $0.02$ more or less will do. The fields take exact numbers, such as pi/3.",
+        start=TwoLines(level, OneLine(-1.9, 1.0, 0.5, 0.8, height + 0.4)),
+        model=model,
+        conditions=lambda pair: (
+            _angle_is(pair, rf"angle $\theta={name}$", theta),
+            _distance_is(pair, d),
+        ),
+        slips=(
+            Misconception(
+                UNSIGNED,
+                lambda pair: _has(pair, theta, -d),
+                rf"The angle is right, and the lines are ${abs(d):g}$ apart, but $d={-d:g}$: from "
+                r"A to B the way leads "
+                rf"{'against' if d > 0 else 'along'} $\mathbf x\times\mathbf y$, the dashed arrow. "
+                "Take B to the other side of A.",
+                with_b_at(height - d),
+            ),
+            Misconception(
+                "orientation ignored",
+                lambda pair: _has(pair, math.pi - theta, -d),
+                r"As lines without arrows these are right. With their arrows they enclose "
+                r"$\pi-\theta$, and $\mathbf x\times\mathbf y$ has turned round too: one of them "
+                "runs the wrong way.",
+                TwoLines(level, model.b.reversed()),
+            ),
+        ),
+        because=r"So $\langle\mathbf X,\mathbf Y\rangle=\cos(\theta+\varepsilon d)$ is about "
+        rf"${tex.dual(round(math.cos(theta), 3), round(-d * math.sin(theta), 3))}$ now.",
+        hints=(
+            r"One after the other: $\theta$ depends on the directions alone, so turn B by its "
+            "diamond first; the disc then leaves the angle as it is.",
+            r"$d$ is the way from A to B along $\mathbf x\times\mathbf y$. If its sign is wrong, B "
+            "is on the wrong side of A.",
+            rf"A is level, $\mathbf x=(1,0,0)$, at the height ${height:g}$. Make B level as well, "
+            rf"$u={name}$ and $v=\tfrac\pi2$: then $\mathbf x\times\mathbf y$ points up.",
+        ),
+        solution=rf"One such pair is shown now: B is level, $u={name}$, $v=\tfrac\pi2$, at the "
+        rf"height $z={height + d:g}$, which is ${abs(d):g}$ {above} A.",
+    )
+
+
+def _angle_is(pair: Pair, text: str, theta: float) -> Condition:
+    now = float(pair.across.angle)
+    return Condition(text, abs(now - theta), WITHIN, "rad", rf"now $\theta={now:.3f}$")
+
+
+def _distance_is(pair: Pair, d: float) -> Condition:
+    now = float(pair.across.distance)
+    said = f"now $d={round(now, 3) + 0.0:.3f}$"  # never −0.000
+    return Condition(f"distance $d={d:g}$", abs(now - d), WITHIN, "length", said)
+
+
+def _has(pair: Pair, theta: float, d: float) -> bool:
+    """Return whether two lines have a dual angle, as far as a hand can tell."""
+    return _angle_is(pair, "", theta).met and _distance_is(pair, d).met
+
+
+PLANES = (
+    ("z=0", (0.0, 0.5), (0.75, 0.5), (0, 0, 1)),
+    ("x=0", (0.5, 0.5), (0.5, 0.25), (-1, 0, 0)),
+    ("y=0", (0.0, 0.5), (0.0, 0.75), (0, 1, 0)),
+)
+"""Planes through the origin, u/π and v/π of two directions in each, and the sense of a moment."""
+
+
+def one_moment(draw: Draw) -> Place:
+    """Ask for two lines with the same moment."""
+    plane, one, other, moment = draw.one_of(PLANES)
+    value = draw.one_of((0.75, 1.0, 1.25)) * np.array(moment, dtype=float)
+    a, b = _with_moment(one, value, -0.5), _with_moment(other, value, 0.5)
+    size = np.linalg.norm(value)
+    return Place(
+        question=r"The moment of line A is the blue arrow $\bar{\mathbf x}$. Bring line B where it "
+        r"has the same moment, $\bar{\mathbf y}=\bar{\mathbf x}$, but another direction: at least "
+        r"half a radian away. $0.03$ more or less will do.",
+        start=TwoLines(a, OneLine(-0.7, 1.0, 0.8, 0.9, 0.6)),
+        model=TwoLines(a, b),
+        conditions=lambda pair: (
+            _same_moment(pair),
+            _two_directions(pair),
+        ),
+        slips=(
+            Misconception(
+                "one line twice",
+                lambda pair: _moment_off(pair) <= SAME and pair.across.angle < 0.1,
+                r"With the direction the same as well, $\mathbf Y=\mathbf X$ is one line. Turn B "
+                "in the plane through A and the origin, and keep its distance from the origin.",
+                TwoLines(a, a),
+            ),
+            Misconception(
+                "the other way round the origin",
+                lambda pair: _moment_off(pair, -1) <= SAME < _moment_off(pair),
+                r"Plane and distance are right, but B goes round the origin the other way: "
+                r"$\bar{\mathbf y}=-\bar{\mathbf x}$. Reverse one of the two.",
+                TwoLines(a, b.reversed()),
+            ),
+        ),
+        because=r"Both lines lie in the plane through the origin that is normal to "
+        r"$\bar{\mathbf x}$, touch the same circle about the origin and go round it the same way. "
+        "A moment alone is not yet a line: the direction has to be given too.",
+        hints=(
+            r"A moment is normal to its line and to the way from the origin to it. In which plane "
+            r"through the origin do lines with the moment $\bar{\mathbf x}$ lie?",
+            r"$\|\bar{\mathbf x}\|$ is the distance from the origin: in that plane both lines "
+            "touch the same circle about it, and they go round it the same way.",
+            rf"The plane is ${plane}$, the radius ${size:g}$. Choose a direction $\mathbf y$ in "
+            r"the plane; the foot point of B has to be $\mathbf y\times\bar{\mathbf x}$.",
+        ),
+        solution=rf"One such pair is shown now: B lies in the plane ${plane}$ too, with "
+        rf"$u={tex.angle(b.u)}$, $v={tex.angle(b.v)}$, and its foot point is "
+        rf"$\mathbf y\times\bar{{\mathbf x}}={_tex(b.line.foot.round(3))}$.",
+    )
+
+
+def _with_moment(turns: tuple[float, float], moment: Array, along: float) -> OneLine:
+    """Return the line with this direction and moment, its given point beside the foot point."""
+    u, v = (math.pi * part for part in turns)
+    direction = on_sphere(np.array([u, v]))
+    point = np.cross(direction, moment) + along * direction
+    return OneLine(u, v, *(round(float(entry), 4) for entry in point))
+
+
+def _moment_off(pair: Pair, sign: int = 1) -> float:
+    """Return how far the moment of B is from that of A, or from its opposite."""
+    return float(np.linalg.norm(pair.b.moment - sign * pair.a.moment))
+
+
+def _same_moment(pair: Pair) -> Condition:
+    mine, wanted = (_tex(line.moment.round(2)) for line in (pair.b, pair.a))
+    said = rf"now $\bar{{\mathbf y}}={mine}$, $\bar{{\mathbf x}}={wanted}$"
+    text = r"moments $\bar{\mathbf y}=\bar{\mathbf x}$"
+    return Condition(text, _moment_off(pair), SAME, "length", said)
+
+
+def _two_directions(pair: Pair) -> Condition:
+    now = float(pair.across.angle)
+    return at_least(r"directions $\theta\ge0.5$", now, 0.5, "rad", rf"now $\theta={now:.2f}$")
+
+
 EXERCISES = (
     Exercise("02.1", "A line through two points", through),
     Exercise("02.2", "A road to the east", side),
@@ -547,5 +713,7 @@ EXERCISES = (
     Exercise("02.9", "Which one meets the axis?", which_meet),
     Exercise("02.10", "How far apart?", parallel),
     Exercise("02.11", "B turns", turning),
+    Exercise("02.12", "A dual angle to order", to_order),
+    Exercise("02.13", "One moment, two lines", one_moment),
 )
 """The exercises in their order."""

@@ -15,9 +15,10 @@ import numpy as np
 
 from ..geometry.checks import GeometryError
 from .answers import read_numbers
-from .core import UNREAD, Choose, Drag, FindSlip, Formula, Sketch, Task, Verdict, find
+from .core import UNREAD, Choose, Drag, FindSlip, Formula, Place, Sketch, Task, Verdict, find
 from .kinds.choose import whole
 from .kinds.drag import design_of
+from .kinds.place import lines_of
 from .store import Store, the_store
 
 __all__ = [
@@ -78,7 +79,8 @@ def check(key: str, value: Any, store: Store | None = None) -> Checked:
     key
         the exercise, such as "06.12".
     value
-        the answer: a number, a list, an array, a dual number, a formula or a function, a design.
+        the answer: a number, a list, an array, a dual number, a formula or a function, a design,
+        two lines.
     store
         where answers are kept; None for the file beside the lessons.
 
@@ -132,6 +134,8 @@ def kept(task: Task, answer: Any) -> Any:
     match task:
         case Drag():
             return design_of(answer).to_text()
+        case Place():
+            return lines_of(answer).numbers
         case FindSlip():
             return _kept_parts(task, answer)
         case Choose():

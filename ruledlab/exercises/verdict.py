@@ -64,7 +64,8 @@ class Misconception:
         a few words: "λ modulo 2π".
     test
         whether an answer, already read, shows it. What it is given depends on the kind: an array
-        for numbers and code, a function of the variables for formulas, a `Made` for designs.
+        for numbers and code, a function of the variables for formulas, a `Made` for designs, a
+        `Pair` for two lines.
     word
         what to say to it.
     example

@@ -8,14 +8,13 @@ from typing import Any
 
 import ipywidgets as w
 
-from ..design import Design
 from ..lab.cells import closes_with_cell
 from ..lab.controls import Group
 from ..lab.state import Lab
 from .answers import is_open
-from .boxes import ChooseBox, DragBox, box_for, close_all, maths, press, show, style
+from .boxes import ChooseBox, GoalBox, box_for, close_all, maths, press, show, style
 from .core import UNREAD, Exercise, Sketch, Verdict, find, lesson, lessons
-from .record import begin_or_go_on, keep, verdict_html
+from .record import begin_or_go_on, keep, kept, verdict_html
 from .store import Store, the_store
 
 __all__ = ["Card", "Lesson", "Predict", "exercise", "exercises", "predict", "progress"]
@@ -122,7 +121,7 @@ class Card(w.VBox):  # type: ignore[misc]
         self.box = box_for(
             self.task, self._group, self._answer, self.exercise.key, self._say, self._lab
         )
-        if isinstance(self.box, DragBox):
+        if isinstance(self.box, GoalBox):
             self.box.draft = self._draft
         self._group.click(self._more, self._hint)
         self._group.click(self._solve, self._solution)
@@ -153,8 +152,8 @@ class Card(w.VBox):  # type: ignore[misc]
         if verdict.state == UNREAD:  # of another version of the exercise, or the file was edited
             return
         self.box.show(answer)
-        working = isinstance(self.box, DragBox) and not verdict.right and not verdict.slip
-        self._say(None if working else verdict)  # the conditions say how far off a design is
+        working = isinstance(self.box, GoalBox) and not verdict.right and not verdict.slip
+        self._say(None if working else verdict)  # the conditions say how far off it is
 
     # -- what the reader does --------------------------------------------------------------------
 
@@ -189,10 +188,10 @@ class Card(w.VBox):  # type: ignore[misc]
         self._store.change(self.exercise.key, change)
         self._refresh()
 
-    def _draft(self, design: Design) -> None:
-        """Keep a design that is being worked on."""
-        text = design.to_text()
-        self._put(lambda known: {} if known["right"] else {"answer": text})
+    def _draft(self, value: Any) -> None:
+        """Keep what is being moved."""
+        answer = kept(self.task, value)
+        self._put(lambda known: {} if known["right"] else {"answer": answer})
 
     # -- what is shown ---------------------------------------------------------------------------
 

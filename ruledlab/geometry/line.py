@@ -15,7 +15,14 @@ import numpy.typing as npt
 from .checks import PARALLEL, UNIT, Array, GeometryError, finite_array, frozen
 from .dual import Dual, cross, inner
 
-__all__ = ["CommonPerpendicular", "Line", "common_perpendicular", "dual_angle", "relation"]
+__all__ = [
+    "CommonPerpendicular",
+    "Line",
+    "common_perpendicular",
+    "dual_angle",
+    "on_sphere",
+    "relation",
+]
 
 MEETING = 1e-9
 """Distance, as a fraction of max(1, distances from the origin), below which two lines meet."""
@@ -192,6 +199,17 @@ class Line:
         if not any(k is Ellipsis for k in key):
             key = (*key, Ellipsis)
         return Line.unchecked(self.direction[*key, :], self.moment[*key, :])
+
+
+def on_sphere(chart: Array) -> Array:
+    """Return the directions (cos u sin v, sin u sin v, cos v), shape (…, 3).
+
+    ``chart`` has shape (…, 2): longitudes u and colatitudes v in radians. At the poles, v = 0 and
+    v = π, every u gives the same direction.
+    """
+    u, v = chart[..., 0], chart[..., 1]
+    points: Array = np.stack([np.cos(u) * np.sin(v), np.sin(u) * np.sin(v), np.cos(v)], axis=-1)
+    return points
 
 
 @dataclass(frozen=True, eq=False, slots=True)

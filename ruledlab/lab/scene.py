@@ -13,6 +13,7 @@ import numpy as np
 
 from ..design import Design
 from ..geometry.checks import Array
+from ..geometry.line import on_sphere
 from ..geometry.surface import Invariants, RuledSurface, Sample, Undefined, curvature_along
 
 
@@ -229,12 +230,6 @@ def _lock(drawing: Scene | Mark) -> None:
     for value in [*values, *getattr(drawing, "curves", {}).values()]:
         if isinstance(value, np.ndarray):
             value.flags.writeable = False
-
-
-def on_sphere(chart: Array) -> Array:
-    """Return the points of the unit sphere with the given longitudes and colatitudes."""
-    u, v = chart[..., 0], chart[..., 1]
-    return np.stack([np.cos(u) * np.sin(v), np.sin(u) * np.sin(v), np.cos(v)], axis=-1)
 
 
 def unwrapped(angle: Array) -> Array:

@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from playwright.sync_api import Locator
+from playwright.sync_api import Locator, expect
 
 from .session import LabSession, NotebookPage, write_notebook
+from .test_lesson_02 import pull
 
 KINDS = {
     "choose": "06.1",
@@ -19,11 +20,13 @@ KINDS = {
     "sketch": "06.11",
     "code": "06.13",
     "slip": "06.14",
+    "place": "02.12",
 }
 SHOW = """\
 from ruledlab.exercises import check, exercise, find, seed
 cards = {{key: exercise(key) for key in {keys}}}
 tasks = {{key: find(key).task(seed()) for key in cards}}
+from dataclasses import asdict
 from ipywidgets import VBox
 VBox(list(cards.values()))
 """
@@ -128,6 +131,37 @@ def test_drag(cards: NotebookPage) -> None:
             field.press("Enter")
         if place.get_by_text("✓ done").count():
             break
+    done(cards, key)
+
+
+def test_place(cards: NotebookPage) -> None:
+    """Line B is moved by pointer and by keys, and brought home by exact numbers."""
+    key = KINDS["place"]
+    place = card(cards, key)
+    cards.wait_still(place.locator("canvas"), timeout=60)
+    lines = f"cards['{key}'].box.slate.value"
+    marks = place.locator(".ruledlab-marks")
+    first = marks.inner_text()
+    pull(cards, "given point of line B", (30, -25))
+    expect(marks).not_to_have_text(first, use_inner_text=True)
+    place.get_by_role("button", name="direction of line B").focus()
+    before = asked(cards, f"{lines}.numbers")
+    for _ in range(2):
+        cards.page.keyboard.press("ArrowLeft")
+    cards.wait_kernel(f"{lines}.numbers != {before}", "True")
+    cards.wait_idle()
+    reached = asked(cards, f"{lines}.numbers")
+    place.get_by_role("button", name="Show the solution").click()
+    expect(marks.locator(".is-met")).to_have_count(2)
+    assert place.get_by_text("✓ done").count() == 0
+    place.get_by_role("button", name="undo").click()
+    expect(marks.locator(".is-open")).to_have_count(2)
+    assert asked(cards, f"{lines}.numbers") == reached
+    place.get_by_role("button", name="Hide the solution").click()
+    for name, value in asked(cards, f"asdict(tasks['{key}'].model.b)").items():
+        field = place.get_by_role("textbox", name=f"{name}, " if name in "uv" else f"{name} of")
+        field.fill(repr(value))
+        field.press("Enter")
     done(cards, key)
 
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from .choose import Choose, Option
-from .drag import Condition, Drag, Made, made
+from .drag import Drag, Made, made
 from .formula import Formula
+from .goal import Condition, Goal
 from .number import Code, Number
+from .place import Place
 from .sketch import Sketch
 from .slip import FindSlip, Line
 from .task import Task
@@ -17,10 +19,12 @@ __all__ = [
     "Drag",
     "FindSlip",
     "Formula",
+    "Goal",
     "Line",
     "Made",
     "Number",
     "Option",
+    "Place",
     "Sketch",
     "Task",
     "made",

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol
 
@@ -13,10 +11,9 @@ from ...geometry.closed import Closure
 from ...geometry.dual import Dual
 from ...geometry.surface import RuledSurface
 from ..answers import is_open
-from ..verdict import RIGHT, WRONG, Misconception, Verdict, recognised, unread
-from .task import Task
+from .goal import Goal
 
-__all__ = ["Condition", "Drag", "Made", "design_of", "made", "off_words"]
+__all__ = ["Drag", "Made", "design_of", "made"]
 
 
 class Made(Protocol):
@@ -58,102 +55,33 @@ def made(design: Design) -> Made:
     return _Made(design, surface, closure, pitch)
 
 
-@dataclass(frozen=True, slots=True)
-class Condition:
-    """One thing a design has to fulfil, and how far off it is.
-
-    Attributes
-    ----------
-    text
-        the condition: HTML with TeX.
-    off
-        how far off, ≥ 0; NaN where it cannot be measured.
-    within
-        how far off it may be.
-    unit
-        the unit of ``off``.
-    now
-        the present value, in words, or why there is none.
-    """
-
-    text: str
-    off: float
-    within: float
-    unit: str = ""
-    now: str = ""
-
-    @property
-    def met(self) -> bool:
-        """Whether the condition holds."""
-        return self.off <= self.within
-
-
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Drag(Task):
-    """Drag a design until conditions hold; judged by what follows from it, so every way counts.
+class Drag(Goal[Design, Made]):
+    """Drag a design until conditions hold.
 
     Attributes
     ----------
-    start
-        where it begins. It does not fulfil the conditions.
-    model
-        a design that does; shown as the solution.
-    conditions
-        given a `Made`, the conditions with how far off each is.
     fields
         whether ū and v̄ may be changed too.
     plots
         invariants that are plotted beside the chart, by their names.
-    slips
-        wrong designs that have a name; they are given a `Made`.
     """
 
     kind: ClassVar[str] = "drag"
 
-    start: Design
-    model: Design
-    conditions: Callable[[Made], tuple[Condition, ...]]
     fields: bool = False
     plots: tuple[str, ...] = ()
-    slips: tuple[Misconception, ...] = ()
-    because: str = ""
 
-    def judge(self, answer: Any) -> Verdict:
-        """Judge a `Design`, its JSON or short text, or what follows from one."""
-        try:
-            result = _read_design(answer)
-        except GeometryError as error:
-            return unread(error)
-        conditions = self.conditions(result)
-        if all(condition.met for condition in conditions):
-            return Verdict(RIGHT, self.because)
-        found = recognised(self.slips, result)
-        return found or Verdict(WRONG, " ".join(map(off_words, conditions)).strip())
+    def value_of(self, answer: Any) -> Design:
+        """Return the design in an answer: a `Design`, its JSON or text, or what has a design."""
+        return design_of(answer)
 
-    def right_answer(self) -> Design:
-        """Return a design that fulfils the conditions."""
-        return self.model
-
-    def wrong_answer(self) -> Design:
-        """Return the design one begins with."""
-        return self.start
-
-
-def off_words(condition: Condition) -> str:
-    """Say how far off a condition is; nothing where it holds."""
-    if condition.met:
-        return ""
-    if math.isnan(condition.off):
-        return f"{condition.text}: {condition.now or 'cannot be measured now'}."
-    unit = f" {condition.unit}" if condition.unit else ""
-    return f"{condition.text}: still off by {condition.off:.3g}{unit}."
-
-
-def _read_design(answer: Any) -> Made:
-    if all(hasattr(answer, name) for name in ("design", "surface", "closure", "pitch")):
-        result: Made = answer
-        return result
-    return made(design_of(answer))
+    def read(self, answer: Any) -> Made:
+        """Return what follows from the design in an answer, which may be a `Made` itself."""
+        if all(hasattr(answer, name) for name in ("design", "surface", "closure", "pitch")):
+            result: Made = answer
+            return result
+        return made(design_of(answer))
 
 
 def design_of(answer: Any) -> Design:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import math
 from dataclasses import replace
 from typing import Any, Final
 
@@ -11,18 +10,13 @@ import ipywidgets as w
 import numpy as np
 
 from ...geometry.checks import Array
+from ...pair import SPANS, OneLine, Pair, TwoLines, between
 from ..controls import Group, HistoryControl, NumberControl, Strokes
 from ..handles import Grasp, Grip, Handles
 from ..overlay import Overlay
 from ..scenes.line_pair import (
     COLOURS,
-    MOST_U,
-    PLACES,
     PRESETS,
-    OneLine,
-    Pair,
-    TwoLines,
-    between,
     lines_html,
     pair_html,
     picture,
@@ -34,19 +28,19 @@ from ..slate import Change, Slate
 from ..view3d import SurfaceView
 from .base import App
 
-__all__ = ["TwoLinesApp", "two_lines"]
+__all__ = ["LinesFigure", "TwoLinesApp", "two_lines"]
 
 WIDTH, HEIGHT = 620, 430
+
 # -- what the reader moves -------------------------------------------------------------------------
 
 NUMBERS: Final = {
-    "u": ("u, longitude of the direction in radians", (-MOST_U, MOST_U), 0.01),
-    "v": ("v, colatitude of the direction in radians", (0.0, math.pi), 0.01),
-    "x": ("x of the given point of the line", PLACES, 0.05),
-    "y": ("y of the given point of the line", PLACES, 0.05),
-    "z": ("z of the given point of the line", PLACES, 0.05),
+    "u": ("u, longitude of the direction in radians", SPANS["u"], 0.01),
+    "v": ("v, colatitude of the direction in radians", SPANS["v"], 0.01),
+    "x": ("x of the given point of the line", SPANS["x"], 0.05),
+    "y": ("y of the given point of the line", SPANS["y"], 0.05),
+    "z": ("z of the given point of the line", SPANS["z"], 0.05),
 }
-
 
 GRIPS: Final = (("a", "point"), ("a", "direction"), ("b", "point"), ("b", "direction"))
 """The handles: of which line, and what of it they move."""
@@ -63,17 +57,38 @@ def grips(lines: TwoLines) -> tuple[Grip, ...]:
     return tuple(made)
 
 
+class PresetControl(Group):
+    """Positions of both lines from a menu."""
+
+    def __init__(self, slate: Slate[TwoLines, Pair]) -> None:
+        super().__init__()
+        self._slate = slate
+        self.menu = w.Dropdown(
+            options=[("positions …", ""), *((name, name) for name in PRESETS)],
+            layout=w.Layout(width="auto"),
+        )
+        self.menu.tooltip = "positions of two lines"
+        self.on(self.menu, "value", self._load)
+        self.follow(slate, self.update)
+        self.update(Change(scene=True))
+
+    def _load(self, name: str) -> None:
+        if name:
+            self._slate.load(PRESETS[name], "preset")
+
+    def update(self, change: Change) -> None:
+        """Follow the state: the menu names a position only while the lines are there."""
+        if change.scene:
+            named = (name for name, lines in PRESETS.items() if lines == self._slate.value)
+            self.put(self.menu, value=next(named, ""))
+
+
 class LineControl(Group):
-    """The position of both lines from a menu, and the five numbers of the chosen one."""
+    """The five numbers of the chosen line."""
 
     def __init__(self, slate: Slate[TwoLines, Pair]) -> None:
         super().__init__()
         self._slate, self._strokes = slate, Strokes()
-        self.preset = w.Dropdown(
-            options=[("positions …", ""), *((name, name) for name in PRESETS)],
-            layout=w.Layout(width="auto"),
-        )
-        self.preset.tooltip = "positions of two lines"
         self.which = w.ToggleButtons(options=[("line A", "a"), ("line B", "b")])
         self.which.style.button_width = "72px"
         self.reverse = w.Button(description="reverse", layout=w.Layout(width="auto"))
@@ -84,7 +99,6 @@ class LineControl(Group):
         }
         bar = w.HBox([self.which, self.reverse]).add_class("ruledlab-bar")
         self.widget = w.VBox([bar, *(number.widget for number in self.numbers.values())])
-        self.on(self.preset, "value", self._load)
         self.on(self.which, "value", lambda _: self.update(Change(scene=True)))
         self.click(self.reverse, self._reverse)
         self.follow(slate, self.update)
@@ -93,10 +107,6 @@ class LineControl(Group):
     @property
     def _chosen(self) -> OneLine:
         return self._slate.value.a if self.which.value == "a" else self._slate.value.b
-
-    def _load(self, name: str) -> None:
-        if name:
-            self._slate.load(PRESETS[name], "preset")
 
     def _move(self, key: str, value: float) -> None:
         name, line = self.which.value, replace(self._chosen, **{key: value})
@@ -118,8 +128,6 @@ class LineControl(Group):
         if change.scene:
             for key, number in self.numbers.items():
                 number.show(getattr(self._chosen, key))
-            named = (name for name, lines in PRESETS.items() if lines == self._slate.value)
-            self.put(self.preset, value=next(named, ""))
 
 
 class LookControl(Group):
@@ -134,8 +142,8 @@ class LookControl(Group):
         self.home.tooltip = "look from the usual side, all of it in sight"
 
 
-class TwoLinesApp(App):
-    """Two lines in space with their numbers.
+class LinesFigure(App):
+    """Two lines in space to take in hand, by handles and by their numbers.
 
     Attributes
     ----------
@@ -154,7 +162,6 @@ class TwoLinesApp(App):
         self.history, self.handles = HistoryControl(slate), Handles(self.view)
         self._releases += [self.handles.close, self.handles.on_grasp(self._grasp)]
         self.view.sphere("off")
-        self.of_pair, self.of_lines = w.HTML(), w.HTML()
         self._views, self._groups = [self.view], [self.lines, self.look, self.history]
         for box in (self.look.moments, self.look.sphere):
             self.look.on(box, "value", lambda _: self.update(Change(scene=True)))
@@ -162,18 +169,22 @@ class TwoLinesApp(App):
         self.assemble(self._grid())
 
     def _grid(self) -> Any:
+        grid = w.Box([self._part(name, widgets) for name, widgets in self._places().items()])
+        return grid.add_class("ruledlab-grid")
+
+    def _places(self) -> dict[str, list[Any]]:
+        """Return the places of the grid and what stands in each."""
         look = self.look
-        head = [self.lines.preset, self.history.widget, look.moments, look.sphere, look.home]
         stage = w.Box([self.view.widget, self.handles]).add_class("ruledlab-space")
-        parts = {
-            "head": w.Box(head),
-            "hand": self.lines.widget,
-            "edit": w.VBox([self.of_pair]),
-            "right": w.VBox([stage, self.of_lines]),
+        return {
+            "head": [self.history.widget, look.moments, look.sphere, look.home],
+            "hand": [self.lines.widget],
+            "right": [stage],
         }
-        for name, part in parts.items():
-            part.add_class(f"ruledlab-{name}")
-        return w.Box([*parts.values()]).add_class("ruledlab-grid")
+
+    def _part(self, name: str, widgets: list[Any]) -> Any:
+        kind = w.Box if name == "head" else w.VBox
+        return kind(widgets).add_class(f"ruledlab-{name}")
 
     def _grasp(self, grasp: Grasp) -> None:
         self.lines.guard(lambda: self.lines.grasp(grasp))
@@ -187,15 +198,34 @@ class TwoLinesApp(App):
         )
 
     def update(self, change: Change) -> None:
-        """Draw both lines and write their numbers."""
+        """Draw both lines."""
         if change.scene:
             self.view.overlay(self._picture())
             self.handles.draw(grips(self.slate.value))
             self.view.describe(words(self.slate.result))
-            self.of_pair.value = pair_html(self.slate.result)
-            self.of_lines.value = lines_html(self.slate.result)
         if change.loaded:
             self._home()
+
+
+class TwoLinesApp(LinesFigure):
+    """Two lines in space with positions to begin from, and what follows in numbers."""
+
+    def _places(self) -> dict[str, list[Any]]:
+        """Add the menu of positions and the tables to what the figure has."""
+        self.preset = PresetControl(self.slate)
+        self._groups.append(self.preset)
+        self.of_pair, self.of_lines = w.HTML(), w.HTML()
+        places = super()._places()
+        places["head"].insert(0, self.preset.menu)
+        places["right"].append(self.of_lines)
+        return {**places, "edit": [self.of_pair]}
+
+    def update(self, change: Change) -> None:
+        """Draw both lines and write their numbers."""
+        super().update(change)
+        if change.scene:
+            self.of_pair.value = pair_html(self.slate.result)
+            self.of_lines.value = lines_html(self.slate.result)
 
 
 def _axes() -> Array:

@@ -1,4 +1,4 @@
-"""Two oriented lines: their position as a value, what follows from it, the picture and the words.
+"""Two oriented lines: some positions by name, the picture and the words.
 
 No widgets: the app of lesson 02 shows what is made here.
 """
@@ -7,24 +7,19 @@ from __future__ import annotations
 
 import functools
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, Final
 
 import numpy as np
 
-from ...geometry import CommonPerpendicular, Dual, Line, common_perpendicular, inner
+from ...geometry import CommonPerpendicular, Line
 from ...geometry.checks import Array
+from ...geometry.line import on_sphere
+from ...pair import OneLine, Pair, TwoLines
 from ..overlay import Dot, Label, Overlay, Sheet, Stroke
-from ..scene import on_sphere
 
 __all__ = [
-    "MOST_U",
-    "PLACES",
     "PRESETS",
-    "OneLine",
-    "Pair",
-    "TwoLines",
-    "between",
     "lines_html",
     "pair_html",
     "picture",
@@ -35,10 +30,6 @@ __all__ = [
 
 REACH: Final = 2.2  # half of the length of a line that is drawn, beyond what lies on it
 FAR: Final = 12.0  # from the origin, where feet of nearly parallel lines are no longer drawn
-AHEAD: Final = 1.4  # from the given point to the handle of the direction
-PLACES: Final = (-4.0, 4.0)  # where x, y and z of a given point may be
-MOST_U: Final = 6.3
-SHORTEST: Final = 1e-6
 ROOM: Final = 1.24  # about what is drawn, for labels and for what is nearer to the eye
 ORIGIN: Final = np.zeros(3)
 COLOURS: Final = {"a": "kappa", "b": "tau"}
@@ -47,87 +38,7 @@ PARTNER: Final = {"B": "A", "y": "x", "ȳ": "x̄"}
 SAME: Final = 0.02  # labels nearer to each other than this are written as one
 
 
-# -- the state and what follows from it ------------------------------------------------------------
-
-
-@dataclass(frozen=True, slots=True)
-class OneLine:
-    """A line by longitude ``u`` and colatitude ``v`` of its direction and a point of it."""
-
-    u: float
-    v: float
-    x: float
-    y: float
-    z: float
-
-    @property
-    def line(self) -> Line:
-        """The oriented line."""
-        direction = on_sphere(np.array([self.u, self.v]))
-        return Line.from_point_direction([self.x, self.y, self.z], direction)
-
-    @property
-    def point(self) -> Array:
-        """The given point."""
-        return np.array([self.x, self.y, self.z])
-
-    @property
-    def ahead(self) -> Array:
-        """The point `AHEAD` of the given one along the line: where its direction is taken."""
-        there: Array = self.point + AHEAD * on_sphere(np.array([self.u, self.v]))
-        return there
-
-    def moved(self, to: Array) -> OneLine:
-        """Return the parallel line through a point, as near to it as the sliders reach."""
-        x, y, z = (round(float(entry), 2) for entry in np.clip(to, *PLACES))
-        return replace(self, x=x, y=y, z=z)
-
-    def aimed(self, at: Array) -> OneLine:
-        """Return the line through the given point that is directed to another."""
-        way = at - self.point
-        size = float(np.linalg.norm(way))
-        if size < SHORTEST:
-            return self
-        v = math.acos(max(-1.0, min(1.0, float(way[2]) / size)))
-        level = math.hypot(way[0], way[1]) / size
-        u = self.u if level < SHORTEST else _beside(math.atan2(way[1], way[0]), self.u)
-        return replace(self, u=round(u, 2), v=min(round(v, 2), math.pi))
-
-    def reversed(self) -> OneLine:
-        """Return the line through the same point, run through the other way."""
-        turned = self.u + math.pi if self.u <= 0 else self.u - math.pi
-        return replace(self, u=turned, v=math.pi - self.v)
-
-
-def _beside(u: float, old: float) -> float:
-    """Return the longitude that is nearest to the old one, within the reach of the slider."""
-    u += 2 * math.pi * round((old - u) / (2 * math.pi))
-    return u - math.copysign(2 * math.pi, u) if abs(u) > MOST_U else u
-
-
-@dataclass(frozen=True, slots=True)
-class TwoLines:
-    """The state of the app: line A and line B."""
-
-    a: OneLine
-    b: OneLine
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Pair:
-    """What follows from two lines: both, ⟨X, Y⟩, and the common perpendicular."""
-
-    a: Line
-    b: Line
-    product: Dual
-    across: CommonPerpendicular
-
-
-def between(lines: TwoLines) -> Pair:
-    """Return what follows from the state."""
-    a, b = lines.a.line, lines.b.line
-    return Pair(a, b, inner(a.dual, b.dual), common_perpendicular(a, b))
-
+# -- positions by name -----------------------------------------------------------------------------
 
 # The given points are not the feet, where their handles would hide them.
 _A = OneLine(math.pi / 2, math.pi / 4, 1.5, -0.5, -0.5)
