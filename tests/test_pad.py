@@ -17,8 +17,10 @@ pytest.importorskip("anywidget")
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from ruledlab.geometry import GeometryError
 from ruledlab.lab.pad import DomainPad, PadRequest
 from ruledlab.lab.palette import DARK, LIGHT
+from ruledlab.lab.signs import Signs
 
 POINTS = np.array([[0.1, 0.2], [1.178, 0.785], [1 / 3, 2.0]])
 CHART = np.stack([np.linspace(0.1, 1 / 3, 50), np.linspace(0.2, 2.0, 50)], axis=1)
@@ -129,6 +131,81 @@ def test_picture_and_cursor_can_share_a_message(pad, sent):
         pad.draw(scene(POINTS + 1))
         pad.draw_cursor(SimpleNamespace(chart=np.array([1.0, 2.0])))
     assert [set(msg["state"]) for msg, _ in sent] == [{"picture", "cursor"}]
+
+
+PLACES = np.array([[0.1, 0.2], [0.3, 0.4], [0.5, 0.6]])
+
+
+def signs(**more):
+    values = {
+        "places": PLACES,
+        "signs": "+−+",
+        "colours": ("kappa", "tau", "kappa"),
+        "shades": [0.0, 0.5, 1.0],
+        "tile": (0.2, 0.1),
+        "words": "three places",
+    }
+    return Signs(**(values | more))
+
+
+def test_signs_arrive_as_they_were_given(pad):
+    pad.draw_signs(signs())
+    sent = pad.signs
+    assert np.frombuffer(sent["places"], "<f4").tolist() == PLACES.astype("f4").ravel().tolist()
+    assert [sent["colours"][k] for k in sent["which"]] == ["kappa", "tau", "kappa"]
+    assert list(sent["shades"]) == [0, 128, 255]
+    assert (sent["signs"], sent["tile"], sent["words"]) == ("+−+", [0.2, 0.1], "three places")
+    pad.draw_signs(None)
+    assert pad.signs == {}
+
+
+def test_signs_are_one_small_message_and_sent_only_when_they_change(pad, sent):
+    places = np.random.default_rng(1).random((225, 2))
+    many = {"places": places, "signs": "+" * 225, "colours": ("tau",) * 225}
+    pad.draw_signs(signs(shades=np.ones(225), **many))
+    pad.draw_signs(signs(shades=np.ones(225), **many))
+    pad.draw(scene(POINTS + 1))  # the curve moves: the signs do not travel along
+    pad.set_theme(DARK)
+    assert [set(msg["state"]) for msg, _ in sent] == [{"signs"}, {"picture"}, {"colours"}]
+    msg, buffers = sent[0]
+    assert sum(len(b) for b in buffers) == 225 * (8 + 1 + 1)
+    assert len(json.dumps(msg)) < 900
+
+
+@pytest.mark.parametrize(
+    ("wrong", "says"),
+    [
+        ({"places": PLACES[:2]}, r"`places` must have shape \(3, 2\)"),
+        ({"places": PLACES * math.nan}, "`places` must be finite"),
+        ({"shades": [0.0, 1.0]}, "`shades` must have shape"),
+        ({"shades": [0.0, 1.0, 1.1]}, "between 0 and 1"),
+        ({"tile": (0.0, 1.0)}, "`tile` must be positive"),
+        ({"colours": ("kappa",)}, "`colours` must have shape"),
+        ({"colours": ("kappa", "dark", "tau")}, "`colours` must be names"),
+        ({"signs": "+ +"}, "blanks"),
+    ],
+)
+def test_signs_that_do_not_fit_together_are_refused(wrong, says):
+    with pytest.raises(GeometryError, match=says):
+        signs(**wrong)
+
+
+def test_every_colour_of_a_sign_is_known_to_the_browser(pad):
+    names = sorted(set(pad.colours) - {"dark"})
+    pad.draw_signs(signs(places=np.zeros((len(names), 2)), signs="0" * len(names),
+                         colours=tuple(names), shades=np.zeros(len(names))))  # fmt: skip
+    assert pad.signs["colours"] == names
+
+
+def test_a_ring_about_a_place_is_shown_and_hidden_beside_the_cursor(pad):
+    pad.draw_cursor(SimpleNamespace(chart=np.array([1.0, 2.0])))
+    pad.draw_place((0.5, 0.6))
+    assert (pad.ring, pad.cursor) == ([0.5, 0.6], [1.0, 2.0])
+    pad.draw_place((math.nan, 0.6))
+    assert pad.ring == []
+    pad.draw_place((0.5, 0.6))
+    pad.draw_place(None)
+    assert (pad.ring, pad.cursor) == ([], [1.0, 2.0])
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK])
@@ -276,6 +353,68 @@ def test_no_motion_whatever_raises_or_reports_nonsense(value):
     assert all(r.index >= 0 and math.isfinite(r.u) and math.isfinite(r.v) for r in heard)
 
 
+# ---- looks ---------------------------------------------------------------------------------------
+
+
+def look(pad, seq, u=0.5, v=0.6, view="a"):
+    pad._handle_custom_msg({"kind": "look", "view": view, "seq": seq, "u": u, "v": v}, [])
+
+
+def glance(pad, seq, u=0.5, v=0.6, view="a"):
+    pad.set_state({"glance": json.loads(json.dumps([view, seq, u, v]))})
+
+
+@pytest.fixture
+def looked(pad):
+    places = []
+    pad.on_look(lambda u, v: places.append((u, v)))
+    return places
+
+
+def test_looks_are_reported_in_order_and_are_no_requests(pad, heard, looked):
+    glance(pad, 1, 0.1)
+    look(pad, 3, 0.3)
+    glance(pad, 2, 0.2)  # held back behind the end: it does not count any more
+    look(pad, 3, 0.4)  # delivered twice
+    assert looked == [(0.1, 0.6), (0.3, 0.6)]
+    assert heard == []
+
+
+def test_a_pad_offers_looks_while_somebody_listens(pad):
+    assert pad.looks is False
+    first, second = pad.on_look(print), pad.on_look(repr)
+    first()
+    assert pad.looks is True
+    second()
+    second()
+    assert pad.looks is False
+
+
+def test_only_the_last_look_is_answered_by_a_picture(pad, looked, sent):
+    glance(pad, 1)
+    assert sent == []
+    look(pad, 2)
+    assert [msg["state"]["picture"]["seen"] for msg, _ in sent] == [{"a": 2}]
+
+
+@pytest.mark.parametrize("wrong", [{"u": math.nan}, {"v": "0.5"}, {"seq": -1}, {"view": 3}])
+def test_malformed_looks_are_left_alone(pad, looked, wrong):
+    look(pad, **({"seq": 1} | wrong))
+    glance(pad, **({"seq": 1} | wrong))
+    assert looked == []
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(json_values, max_size=5))
+def test_no_glance_whatever_raises_or_reports_nonsense(value):
+    pad = DomainPad()
+    places = []
+    pad.on_look(lambda u, v: places.append((u, v)))
+    pad.set_state({"glance": value})
+    pad.close()
+    assert all(math.isfinite(u) and math.isfinite(v) for u, v in places)
+
+
 # ---- attaching and detaching ---------------------------------------------------------------------
 
 
@@ -305,7 +444,7 @@ def test_a_callback_may_disconnect_itself(pad):
     assert (len(calls), len(after)) == (1, 2)
 
 
-def test_closed_pad_is_silent_and_harmless(pad, heard):
+def test_closed_pad_is_silent_and_harmless(pad, heard, looked):
     pad.close()
     pad.close()
     message(pad, "add", 1)
@@ -313,7 +452,8 @@ def test_closed_pad_is_silent_and_harmless(pad, heard):
     pad.draw(scene(POINTS + 1))
     pad.draw_cursor(None)
     pad.set_theme(DARK)
-    assert heard == []
+    glance(pad, 3)
+    assert heard == looked == []
     assert pad.comm is None
 
 
@@ -340,7 +480,8 @@ def test_every_trait_the_script_asks_for_exists(pad):
     script = pad.get_state()["_esm"]
     asked = set(re.findall(r'model\.[gs]et\("(\w+)"', script))
     asked |= set(re.findall(r'"change:(\w+)"', script))
-    assert asked == {"picture", "cursor", "colours", "aspect", "min_height", "motion"}
+    drawn = {"picture", "cursor", "ring", "signs", "colours"}
+    assert asked == drawn | {"looks", "aspect", "min_height", "motion", "glance"}
     assert asked <= set(pad.keys)
 
 

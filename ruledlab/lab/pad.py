@@ -6,14 +6,18 @@ arrives in Python as a `PadRequest`; what is to be seen goes back with `DomainPa
 A handle follows the pointer at once. Python's answer comes later and shows where the point was
 some moments ago, so every picture says which request it answers, and the browser lets go of a
 handle it holds only when the answer to its last request has come.
+
+A pad may show more of the chart than its curve: signs of a field below the curve
+(`DomainPad.draw_signs`), and a ring about a place that is looked at (`DomainPad.draw_place`), which
+the reader may take elsewhere if somebody listens (`DomainPad.on_look`).
 """
 
 from __future__ import annotations
 
 import math
 import pathlib
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import asdict, dataclass
 from threading import RLock
 from typing import Any, Final, Literal, get_args
 
@@ -23,6 +27,7 @@ import traitlets
 
 from ruledlab.lab.palette import LIGHT, Theme
 from ruledlab.lab.scene import Mark, Scene
+from ruledlab.lab.signs import Signs
 
 __all__ = ["Closing", "DomainPad", "PadRequest"]
 
@@ -31,7 +36,6 @@ Kind = Literal["move", "end", "choose", "add", "remove"]
 Disconnect = Callable[[], None]
 
 _STATIC: Final = pathlib.Path(__file__).parent / "static"
-_COLOURS: Final = ("ink", "faint", "grid", "paper", "cursor", "chosen")
 _VIEWS_REMEMBERED: Final = 16
 
 
@@ -86,13 +90,17 @@ class DomainPad(anywidget.AnyWidget):
     # Python → browser. One trait for all that must agree in one frame.
     picture = traitlets.Dict().tag(sync=True)
     cursor = traitlets.List(traitlets.Float()).tag(sync=True)
+    ring = traitlets.List(traitlets.Float()).tag(sync=True)
+    signs = traitlets.Dict().tag(sync=True)
+    looks = traitlets.Bool(False).tag(sync=True)
     colours = traitlets.Dict().tag(sync=True)
     aspect = traitlets.Float(1.15, min=0.5, max=4.0).tag(sync=True)
     min_height = traitlets.Float(240.0, min=120.0).tag(sync=True)
 
-    # Browser → Python. `motion` is a trait because widgets send only the latest value of a trait
+    # Browser → Python. These are traits because widgets send only the latest value of a trait
     # while the kernel is busy; sending it back to the browser would double the traffic.
     motion: traitlets.List[Any] = traitlets.List().tag(sync=True, echo_update=False)
+    glance: traitlets.List[Any] = traitlets.List().tag(sync=True, echo_update=False)
 
     # Python only: they travel inside `picture`.
     chosen = traitlets.Int(0)
@@ -106,10 +114,12 @@ class DomainPad(anywidget.AnyWidget):
         self._drag: tuple[str, int] | None = None
         self._drags = 0
         self._listeners: list[Callable[[PadRequest], None]] = []
+        self._lookers: list[Callable[[float, float], None]] = []
         super().__init__(**traits)
         self.set_theme(theme)
         self.on_msg(self._on_message)
         self.observe(self._on_motion, "motion")
+        self.observe(self._on_glance, "glance")
         self.observe(self._on_mark, ["chosen", "closing"])
 
     def draw(
@@ -135,23 +145,51 @@ class DomainPad(anywidget.AnyWidget):
 
     def draw_cursor(self, mark: Mark | None) -> None:
         """Show the cursor at (u(t), v(t)); hide it for None or where that is undefined."""
-        place = [] if mark is None else [float(x) for x in mark.chart]
         with self._lock:
-            self.cursor = place if all(map(math.isfinite, place)) else []
+            self.cursor = _shown(None if mark is None else mark.chart)
+
+    def draw_place(self, place: Iterable[float] | None) -> None:
+        """Show a ring about a place (u, v) off the curve; hide it for None or NaN.
+
+        While there is a ring the cursor is faint: the place is looked at, and not the curve.
+        """
+        with self._lock:
+            self.ring = _shown(place)
+
+    def draw_signs(self, signs: Signs | None) -> None:
+        """Show signs under the curve and the handles, or none; what is shown is not sent again."""
+        with self._lock:
+            self.signs = {} if signs is None else signs.packed()
 
     def set_theme(self, theme: Theme) -> None:
         """Draw in a theme's colours from now on."""
-        colours = {name: getattr(theme, name) for name in _COLOURS}
         with self._lock:
-            self.colours = colours | {"dark": theme.dark}
+            self.colours = asdict(theme)
 
     def on_request(self, callback: Callable[[PadRequest], None]) -> Disconnect:
         """Call back with each `PadRequest`; return the function that ends this."""
         return _attach(self._listeners, callback)
 
+    def on_look(self, callback: Callable[[float, float], None]) -> Disconnect:
+        """Call back with each place (u, v) the reader looks at; return the function that ends this.
+
+        Only while somebody listens does the pad take a drag that begins on empty chart (with a
+        finger: at the ring, or else the page could not be scrolled) for a look. A click there still
+        adds a point. The place is the listener's: it is shown by `draw_place`.
+        """
+        detach = _attach(self._lookers, callback)
+        self.looks = True
+
+        def disconnect() -> None:
+            detach()
+            self.looks = bool(self._lookers)
+
+        return disconnect
+
     def close(self) -> None:
         """Remove the pad from every page and forget all callbacks."""
         self._listeners.clear()
+        self._lookers.clear()
         self.unobserve_all()
         self.on_msg(self._on_message, remove=True)
         super().close()
@@ -176,6 +214,11 @@ class DomainPad(anywidget.AnyWidget):
             case [view, seq, drag, index, u, v]:
                 self._take("move", view, seq, drag, index, u, v)
 
+    def _on_glance(self, change: Mapping[str, Any]) -> None:
+        match change["new"]:
+            case [view, seq, u, v]:
+                self._look(view, seq, u, v)
+
     def _on_message(self, _widget: Any, content: Any, _buffers: Any) -> None:
         match content:
             case {
@@ -188,6 +231,10 @@ class DomainPad(anywidget.AnyWidget):
                 "v": v,
             }:
                 self._take(kind, view, seq, drag, index, u, v)
+            case {"kind": "look", "view": view, "seq": seq, "u": u, "v": v}:
+                self._look(view, seq, u, v)
+                with self._lock:
+                    self._send_picture()  # the browser holds the ring until its answer comes
 
     def _take(self, kind: Kind, view: Any, seq: Any, drag: Any, index: Any, u: Any, v: Any) -> None:
         """Report a well-formed request that is news; leave anything else alone."""
@@ -203,6 +250,15 @@ class DomainPad(anywidget.AnyWidget):
         if kind == "end":
             with self._lock:
                 self._send_picture()  # sends nothing if a listener has drawn
+
+    def _look(self, view: Any, seq: Any, u: Any, v: Any) -> None:
+        """Report a well-formed look that is news; leave anything else alone."""
+        if not (_whole(seq) and _finite(u, v) and isinstance(view, str)):
+            return
+        if not self._is_news(view, seq):
+            return
+        for listener in tuple(self._lookers):
+            listener(float(u), float(v))
 
     def _is_news(self, view: str, seq: int) -> bool:
         # The widget layer holds a move back while the kernel is busy, an "end" not: the last move
@@ -239,6 +295,12 @@ def _attach(listeners: list[Any], callback: Callable[[Any], None]) -> Disconnect
             listeners.remove(callback)
 
     return disconnect
+
+
+def _shown(place: Iterable[float] | None) -> list[float]:
+    """Return a place as it is sent; empty where there is none, for JSON knows no NaN."""
+    known = [] if place is None else [float(x) for x in place]
+    return known if all(map(math.isfinite, known)) else []
 
 
 def _whole(*numbers: Any) -> bool:

@@ -120,6 +120,133 @@ def test_the_handle_follows_while_the_kernel_is_slow(in_sight: StudioPage) -> No
     assert tuple(studio.design()["points"][3]) == pytest.approx(said(studio, 3), abs=6e-4)
 
 
+RING = ".rl-place"
+SIGNS = ".rl-signs"
+LISTEN = (
+    "seen = []; end = s.pad.on_look(lambda u, v: (seen.append((u, v)), s.pad.draw_place((u, v))))"
+)
+WRITE = """
+from ruledlab.lab.signs import Signs
+places = [(0.6, 0.5), (0.6, 1.0), (0.9, 0.5), (0.9, 1.0)]
+s.pad.draw_signs(Signs(places, "+−0+", ("kappa", "tau", "delta", "tau"), [0, 0.1, 0.2, 0.2],
+                       (0.3, 0.5), "four places"))
+"""
+
+
+def empty(studio: StudioPage) -> tuple[float, float]:
+    """A place of the chart with nothing near."""
+    (x2, y2), (x3, y3) = centre(studio, 2), centre(studio, 3)
+    return (x2 + x3) / 2 - 40, (y2 + y3) / 2
+
+
+def sweep(studio: StudioPage, by: tuple[float, float], steps: int = 6) -> None:
+    """Press on empty chart, move by so many pixels, and hold."""
+    x, y = empty(studio)
+    studio.page.mouse.move(x, y)
+    studio.page.mouse.down()
+    studio.page.mouse.move(x + by[0], y + by[1], steps=steps)
+
+
+def ring_at(studio: StudioPage) -> tuple[float, float]:
+    """Where the ring about the place looked at is, in pixels."""
+    box = studio.page.locator(RING).bounding_box()
+    assert box is not None
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def ring_shown(studio: StudioPage) -> bool:
+    return studio.page.locator(RING).get_attribute("visibility") == "inherit"
+
+
+def test_a_drag_across_the_empty_chart_is_nothing_here(in_sight: StudioPage) -> None:
+    studio = in_sight
+    sweep(studio, (30, -12))
+    assert not ring_shown(studio)
+    studio.page.mouse.up()
+    assert studio.stays(studio.home)
+    assert studio.kernel("s.lab.design == example('example_2')") == "True"
+
+
+def test_where_somebody_listens_it_takes_the_ring_along(in_sight: StudioPage) -> None:
+    studio = in_sight
+    studio.kernel(LISTEN + "; import time; slow = s.pad.on_look(lambda u, v: time.sleep(0.5))")
+    try:
+        x, y = empty(studio)
+        sweep(studio, (30, -12), steps=12)
+        assert ring_at(studio) == pytest.approx((x + 30, y - 12), abs=1.5)  # ahead of the kernel
+        studio.page.mouse.up()
+        studio.kernel("slow()")
+        studio.page.wait_for_timeout(300)
+        assert ring_at(studio) == pytest.approx((x + 30, y - 12), abs=1.5)
+        assert studio.kernel("s.pad.ring == list(seen[-1])") == "True"
+        assert int(studio.kernel("len(seen)")) < 12  # only the latest place while it was busy
+        assert studio.kernel("s.lab.design == example('example_2')") == "True"
+        studio.page.mouse.click(x, y)  # a click adds a point as ever
+        studio.wait_kernel("len(s.lab.design.points)", "8")
+    finally:
+        studio.kernel("slow(); end(); s.pad.draw_place(None)")
+    studio.page.wait_for_function(
+        f"() => document.querySelector('{RING}').getAttribute('visibility') === 'hidden'"
+    )
+
+
+def test_a_finger_takes_the_ring_and_elsewhere_scrolls(in_sight: StudioPage) -> None:
+    studio = in_sight
+    studio.kernel(LISTEN + "; s.pad.draw_place((0.7, 1.0))")
+    touch = studio.page.context.new_cdp_session(studio.page)
+    touch.send("Emulation.setTouchEmulationEnabled", {"enabled": True})
+
+    def swipe(at: tuple[float, float], by: tuple[float, float]) -> None:
+        for k in range(9):
+            finger = {"x": at[0] + by[0] * k / 8, "y": at[1] + by[1] * k / 8}
+            kind = "touchMove" if k else "touchStart"
+            touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [finger]})
+            studio.page.wait_for_timeout(20)
+        touch.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+
+    try:
+        studio.wait_kernel("s.pad.looks", "True")
+        studio.page.wait_for_timeout(300)
+        x, y = ring_at(studio)
+        swipe((x, y), (-20, 24))
+        studio.wait_kernel("s.pad.ring == list(seen[-1])", "True")
+        assert ring_at(studio) == pytest.approx((x - 20, y + 24), abs=1.5)
+        place = studio.kernel("s.pad.ring")
+        swipe((x + 60, y + 20), (0, -30))  # no handle and no ring is near
+        studio.page.wait_for_timeout(300)
+        assert studio.kernel("s.pad.ring") == place
+        assert studio.kernel("s.lab.design == example('example_2')") == "True"
+    finally:
+        touch.send("Emulation.setTouchEmulationEnabled", {"enabled": False})
+        studio.kernel("end(); s.pad.draw_place(None)")
+
+
+def test_signs_lie_under_everything_and_in_nobodys_way(in_sight: StudioPage) -> None:
+    studio, page = in_sight, in_sight.page
+    studio.kernel(WRITE)
+    try:
+        page.wait_for_function(f"() => document.querySelectorAll('{SIGNS} text').length === 3")
+        signs = page.locator(f"{SIGNS} text")
+        assert signs.all_text_contents() == ["+", "−+", "0"]  # one text for each colour
+        assert page.locator(f"{SIGNS} path").count() == 2  # one path for each shade but none
+        said = page.locator(".rl-stage").get_attribute("aria-describedby")
+        assert page.locator(f"[id='{str(said).split()[0]}']").text_content() == "four places"
+        colours = [signs.nth(k).evaluate("node => getComputedStyle(node).fill") for k in range(3)]
+        assert len(set(colours)) == 3
+        box = signs.nth(1).bounding_box()
+        assert box is not None
+        at = [box["x"] + box["width"] / 2, box["y"] + box["height"] / 2]
+        met = page.evaluate("at => document.elementFromPoint(...at).closest('.rl-signs')", at)
+        assert met is None
+        settled(studio)
+        drag(studio, 3, (-40, 25))
+        page.mouse.up()
+        studio.wait_kernel("s.lab.design == example('example_2')", "False")
+    finally:
+        studio.kernel("s.pad.draw_signs(None)")
+    page.wait_for_function(f"() => !document.querySelector('{SIGNS}').children.length")
+
+
 def test_escape_takes_a_drag_back(in_sight: StudioPage) -> None:
     studio, old = in_sight, choose(in_sight, 3)
     drag(studio, 3, (-40, 25))

@@ -28,25 +28,18 @@ from ..overlay import Overlay, Sheet
 from ..pad import DomainPad
 from ..palette import DARK, LIGHT
 from ..scenes.congruence import (
-    MAP_NOTE,
-    STYLE,
-    Enclosure,
     Lines,
     Place,
-    chart_map,
     counts_words,
-    enclosure,
     highlighted,
-    legend_html,
     lines,
-    numbers_html,
     place,
     place_words,
     sight,
-    straightened,
-    straightened_words,
-    strip,
 )
+from ..scenes.congruence_chart import NOTE, chart_signs, legend_html
+from ..scenes.congruence_numbers import Enclosure, enclosure, numbers_html
+from ..scenes.straightened import straightened, straightened_words, strip
 from ..slate import Change
 from ..state import Lab
 from ..view3d import SurfaceView
@@ -120,11 +113,15 @@ class CongruenceControl(Group):
         self.u.show(self.at[0])
         self.v.show(self.at[1])
 
+    def look(self, u: float, v: float) -> None:
+        """Leave the curve for a place the reader took hold of in the chart."""
+        self.free = (u, v)
+        self._changed()
+
     def _put_place(self, axis: int, value: float) -> None:
         to = list(self.at)
         to[axis] = value
-        self.free = (to[0], to[1])
-        self._changed()
+        self.look(to[0], to[1])
 
     def _put_count(self, count: float) -> None:
         self.count = int(count)
@@ -152,7 +149,7 @@ class CongruenceApp(LabApp):
 
     def __init__(self, lab: Lab) -> None:
         self._lines: Lines | None = None
-        self._loop, self._mapped = Enclosure(), ()
+        self._loop, self._enclosed, self._written = Enclosure(), (), ()
         self._strip: tuple[Sheet, ...] = ()
         self._theme = LIGHT
         self.control = CongruenceControl(lab, self._redraw)
@@ -160,11 +157,12 @@ class CongruenceApp(LabApp):
         self.pad, self.view = DomainPad(), SurfaceView(620, 430)
         self.points, self.fields, self.time = PointControl(lab), FieldControl(lab), TimeControl(lab)
         self.history = HistoryControl(lab)
-        self.legend, self.words, self.numbers, self.said, self.map = (w.HTML() for _ in range(5))
+        self.legend, self.words, self.numbers, self.said = (w.HTML() for _ in range(4))
         self._views = [self.view, self.pad]
         self._groups = [self.control, self.points, self.fields, self.time, self.history]
         self._releases += [
             connect(self.pad, self.points),
+            self.pad.on_look(self._look),
         ]
         self.control.click(self.control.develop, self._develop)
         self.control.click(self.control.home, self._home)
@@ -178,11 +176,9 @@ class CongruenceApp(LabApp):
         head = w.Box([self.history.widget, control.home, control.grid, control.focal]).add_class(
             "ruledlab-head"
         )
-        hand = w.VBox([self.pad]).add_class("ruledlab-hand")
+        hand = w.VBox([self.pad, w.HTML(NOTE)]).add_class("ruledlab-hand")
         develop = w.VBox([control.develop, self.said])
-        mapped = w.VBox([self.map, w.HTML(MAP_NOTE)])
-        parts = [self.fields.widget, develop, folded, mapped, w.HTML(STYLE)]
-        edit = w.VBox(parts).add_class("ruledlab-edit")
+        edit = w.VBox([self.fields.widget, develop, folded]).add_class("ruledlab-edit")
         sliders = (self.time, control.u, control.v, control.lines, control.length)
         shown = [self.view.widget, self.legend, *(slider.widget for slider in sliders)]
         right = w.VBox([*shown, self.words, self.numbers]).add_class("ruledlab-right")
@@ -204,6 +200,9 @@ class CongruenceApp(LabApp):
         if self._lines is not None:
             self.view.frame(*sight(self._lines, self.lab.result.scene))
 
+    def _look(self, u: float, v: float) -> None:
+        self.control.guard(lambda: self.control.look(u, v))
+
     def restyle(self, dark: bool) -> None:
         """Change the views and the legend to another theme."""
         super().restyle(dark)
@@ -216,7 +215,8 @@ class CongruenceApp(LabApp):
         congruence = Congruence(design.ubar, design.vbar)
         if self._lines is None or sum(self._lines.counts.values()) != control.count**2:
             self._lines = lines(congruence, scene, control.count)
-            self._draw_map(congruence)
+            self._draw_signs(self._lines)
+            self._find_loop()
         at = place(congruence, *control.at)
         over, found = highlighted(at, scene), self._lines
         grid = found.strokes if control.grid.value else ()
@@ -226,18 +226,24 @@ class CongruenceApp(LabApp):
         )
         mark = self.lab.mark if control.free is None else at.mark(self.lab.mark)
         self.view.draw_cursor(mark)
-        self.pad.draw_cursor(mark)
+        self.pad.draw_place(control.free)
         control.show()
         self._say(at)
 
-    def _draw_map(self, congruence: Congruence) -> None:
-        """Draw the grid over the chart, and find what the loop encloses, if that has changed."""
-        design, result = self.lab.design, self.lab.result
-        shown = (design.points, design.ubar, design.vbar, self.control.count)
-        if shown != self._mapped:
-            self._mapped = shown
-            self._loop = enclosure(result.surface)
-            self.map.value = chart_map(congruence, self._lines, result.scene.chart)
+    def _draw_signs(self, found: Lines) -> None:
+        """Write the grid into the chart, unless it is there: most moves of the curve leave it."""
+        design = self.lab.design
+        shown = (design.ubar, design.vbar, len(found.kinds), found.ends.tobytes())
+        if shown != self._written:
+            self._written = shown
+            self.pad.draw_signs(chart_signs(found))
+
+    def _find_loop(self) -> None:
+        """Find what the loop encloses, if it or the congruence has changed."""
+        design = self.lab.design
+        inside = (design.points, design.ubar, design.vbar)
+        if inside != self._enclosed:
+            self._enclosed, self._loop = inside, enclosure(self.lab.result.surface)
 
     def _say(self, at: Place) -> None:
         lab, kinds, sentence = self.lab, self._lines.counts, place_words(at)

@@ -49,9 +49,9 @@ const numbers = (Kind, view) =>
 
 // ---- the extent of the chart -----------------------------------------------------------------
 
-function boxOf(points, curve) {
+function boxOf(...lists) {
   const box = { u0: Infinity, u1: -Infinity, v0: Infinity, v1: -Infinity };
-  for (const list of [points, curve]) {
+  for (const list of lists) {
     for (let i = 0; i + 1 < list.length; i += 2) {
       const u = list[i],
         v = list[i + 1];
@@ -185,6 +185,7 @@ const HELP =
   "Page Up and Page Down, or the square brackets, choose another point. " +
   "Plus or Insert adds a point after the chosen one, Delete removes it. " +
   "A click on an empty place adds a point there.";
+const LOOKS = " Dragging across an empty place moves the ring, the place that is looked at.";
 
 const BUTTONS = [
   ["add", "Add a point after the chosen one (+)"],
@@ -213,6 +214,9 @@ class View {
       drag: null,
       run: null,
       press: null,
+      gaze: null,
+      held: null,
+      signs: { places: new Float32Array(), signs: [], colours: [], which: [], shades: [], tile: [1, 1] },
       handles: [],
       size: null,
       frame: 0,
@@ -225,7 +229,9 @@ class View {
     this.build();
     this.connect();
     this.paint();
+    this.receiveSigns();
     this.receive();
+    this.offerLooks();
     this.showCursor();
   }
 
@@ -234,7 +240,8 @@ class View {
   build() {
     const clip = `rl-clip-${this.id}`,
       hatch = `rl-hatch-${this.id}`,
-      help = `rl-help-${this.id}`;
+      help = `rl-help-${this.id}`,
+      said = `rl-said-${this.id}`;
     const layer = (name, more = {}) => (this[name] = svg("g", { class: `rl-${name}`, ...more }));
     const path = (name) => (this[name] = svg("path", { class: `rl-${name}` }));
     this.hatchUrl = `url(#${hatch})`;
@@ -246,7 +253,7 @@ class View {
         role: "application",
         "aria-roledescription": "chart",
         "aria-label": "Chart of the unit sphere with control points",
-        "aria-describedby": help,
+        "aria-describedby": `${said} ${help}`,
       },
       svg(
         "defs",
@@ -262,16 +269,20 @@ class View {
       svg(
         "g",
         { "clip-path": `url(#${clip})`, "aria-hidden": "true" },
+        (this.signsLayer = svg("g", { class: "rl-signs" })),
         path("seam"),
         path("polygon"),
         path("ticked"),
         path("line"),
         this.makeCursor(),
+        this.makeRing(),
       ),
       layer("knobs"),
     );
     this.readout = html("div", { class: "rl-readout", "aria-hidden": "true" });
     this.buttons = Object.fromEntries(BUTTONS.map(([name, title]) => [name, this.makeButton(name, title)]));
+    this.words = html("div", { class: "rl-hidden rl-said", id: said });
+    this.looking = html("span");
     this.live = html("div", { class: "rl-hidden", "aria-live": "polite", role: "status" });
     this.root = html(
       "div",
@@ -283,7 +294,8 @@ class View {
       html("div", { class: "rl-bar" }, this.readout, ...Object.values(this.buttons)),
       this.stage,
       this.live,
-      html("div", { class: "rl-hidden", id: help }, HELP),
+      this.words,
+      html("div", { class: "rl-hidden", id: help }, HELP, this.looking),
     );
     this.el.append(this.root);
   }
@@ -316,6 +328,17 @@ class View {
     return this.dot;
   }
 
+  makeRing() {
+    this.ring = svg(
+      "g",
+      { class: "rl-place", visibility: "hidden" },
+      svg("circle", { class: "rl-halo", r: 8 }),
+      svg("circle", { r: 8 }),
+      svg("path", { d: "M-13 0h5M8 0h5M0-13v5M0 8v5" }),
+    );
+    return this.ring;
+  }
+
   makeHandle(index) {
     const g = svg(
       "g",
@@ -341,6 +364,9 @@ class View {
     };
     on("change:picture", () => this.receive());
     on("change:cursor", () => this.showCursor());
+    on("change:ring", () => this.showCursor());
+    on("change:signs", () => this.receiveSigns());
+    on("change:looks", () => this.offerLooks());
     on("change:colours", () => this.paint());
     on("change:aspect", () => this.resize());
     on("change:min_height", () => this.resize());
@@ -350,7 +376,9 @@ class View {
       listen(stage, "pointerup", (e) => this.onUp(e)),
       listen(stage, "pointercancel lostpointercapture", (e) => this.onLost(e)),
       // Says no to scrolling where `touch-action` is not heeded inside an SVG; pointerdown came first.
-      listen(stage, "touchstart", (e) => this.drag && e.cancelable && e.preventDefault(), { passive: false }),
+      listen(stage, "touchstart", (e) => this.isTaken() && e.cancelable && e.preventDefault(), {
+        passive: false,
+      }),
       listen(stage, "pointerleave", () => this.hover(-1)),
       listen(root, "keydown", (e) => this.onKey(e)),
       listen(root, "keyup keypress", (e) => this.isOurs(e) && e.stopPropagation()),
@@ -391,6 +419,7 @@ class View {
       if (seen >= held.seq && !this.isMoving(index)) this.hold.delete(index);
     }
     if (seen >= this.choice) this.chosen = picture.chosen ?? 0;
+    if (seen >= this.held?.seq && !this.gaze) this.held = null;
     this.merge();
     if (grown && this.size)
       this.say(
@@ -401,6 +430,26 @@ class View {
     if (follow && !this.drag) this.handles[this.chosen]?.focus({ preventScroll: true });
     this.followFocus = false;
     this.settle();
+  }
+
+  receiveSigns() {
+    const sent = this.model.get("signs") ?? {};
+    this.signs = {
+      places: numbers(Float32Array, sent.places),
+      signs: [...(sent.signs ?? "")],
+      colours: sent.colours ?? [],
+      which: numbers(Uint8Array, sent.which),
+      shades: numbers(Uint8Array, sent.shades),
+      tile: sent.tile ?? [1, 1],
+    };
+    this.words.textContent = sent.words ?? "";
+    this.signsKey = null;
+    this.drawSigns();
+    this.settle();
+  }
+
+  offerLooks() {
+    this.looking.textContent = this.model.get("looks") ? LOOKS : "";
   }
 
   hasFocus() {
@@ -542,12 +591,15 @@ class View {
   }
 
   onDown(event) {
-    if (event.button !== 0 || this.drag || !this.extent || !this.count) return;
-    const [x, y] = this.place(event);
-    const index = this.nearest(x, y, REACH[event.pointerType] ?? REACH.mouse);
+    if (event.button !== 0 || this.drag || this.gaze || !this.extent || !this.count) return;
+    const [x, y] = this.place(event),
+      reach = REACH[event.pointerType] ?? REACH.mouse;
+    const index = this.nearest(x, y, reach);
     this.endRun();
     if (index < 0) {
-      this.press = this.inFrame(x, y) ? { pointer: event.pointerId, x, y } : null;
+      // A finger that begins elsewhere than at the ring scrolls the page.
+      const looks = this.model.get("looks") && (event.pointerType !== "touch" || this.atRing(x, y, reach));
+      this.press = this.inFrame(x, y) ? { pointer: event.pointerId, x, y, looks } : null;
       return;
     }
     event.preventDefault();
@@ -575,11 +627,14 @@ class View {
   }
 
   onMove(event) {
-    const { drag } = this,
+    const { drag, press } = this,
       [x, y] = this.place(event);
+    if (this.gaze?.pointer === event.pointerId) return this.look(x, y);
+    if (press?.looks && press.pointer === event.pointerId && Math.hypot(x - press.x, y - press.y) > SLACK)
+      return this.startLook(event, x, y);
     if (drag?.pointer !== event.pointerId) {
       if (!drag && this.extent && event.pointerType !== "touch")
-        this.hover(this.nearest(x, y, REACH.mouse), this.inFrame(x, y));
+        this.hover(this.nearest(x, y, REACH.mouse), this.inFrame(x, y), this.atRing(x, y, REACH.mouse));
       return;
     }
     if (!drag.moved && Math.hypot(x - drag.x, y - drag.y) < 1) return;
@@ -589,6 +644,7 @@ class View {
 
   onUp(event) {
     if (this.drag?.pointer === event.pointerId) return this.finishDrag(true);
+    if (this.gaze?.pointer === event.pointerId) return this.finishLook();
     const { press } = this,
       [x, y] = this.place(event);
     this.press = null;
@@ -602,6 +658,9 @@ class View {
   onLost(event) {
     if (this.press?.pointer === event.pointerId) this.press = null;
     if (this.drag?.pointer === event.pointerId) this.finishDrag(true);
+    // A finger's first element loses it to the stage when a look begins; that is no end.
+    if (this.gaze?.pointer === event.pointerId && !this.stage.hasPointerCapture(event.pointerId))
+      this.finishLook();
   }
 
   finishDrag(report) {
@@ -620,13 +679,61 @@ class View {
     this.finishDrag(true);
   }
 
+  // -- looks: a drag across the empty chart takes the ring along --
+
+  isTaken() {
+    return this.drag || this.gaze || this.press?.looks;
+  }
+
+  // The place that is looked at: off the curve the ring's, else the cursor's.
+  eye() {
+    if (this.held) return [this.held.u, this.held.v];
+    const ring = this.model.get("ring") ?? [];
+    return ring.length === 2 ? ring : (this.model.get("cursor") ?? []);
+  }
+
+  atRing(x, y, reach) {
+    const at = this.eye();
+    if (!this.model.get("looks") || at.length !== 2) return false;
+    const [px, py] = this.toPixel(...at);
+    return Math.hypot(px - x, py - y) <= reach;
+  }
+
+  startLook(event, x, y) {
+    this.press = null;
+    this.gaze = { pointer: event.pointerId };
+    this.stage.setPointerCapture(event.pointerId);
+    this.root.classList.add("rl-dragging");
+    this.look(x, y);
+  }
+
+  look(x, y) {
+    const [u, v] = this.toChart(x, y),
+      seq = ++this.seq;
+    this.held = { u, v, seq };
+    this.model.set("glance", [this.id, seq, u, v]);
+    this.model.save_changes();
+    this.showCursor();
+  }
+
+  // As at the end of a drag: the last place goes as a message of its own, which none can overtake.
+  finishLook() {
+    const { pointer } = this.gaze,
+      { u, v } = this.held;
+    this.gaze = null;
+    this.root.classList.remove("rl-dragging");
+    if (this.stage.hasPointerCapture(pointer)) this.stage.releasePointerCapture(pointer);
+    this.held.seq = this.request("look", 0, u, v);
+    this.say(`Looking at u = ${plain(u)}, v = ${plain(v)}`);
+  }
+
   inFrame(x, y) {
     const { left, top, width, height } = this.size;
     return x >= left && x <= left + width && y >= top && y <= top + height;
   }
 
-  hover(index, adds = false) {
-    this.stage.style.cursor = index >= 0 ? "grab" : adds ? "copy" : "";
+  hover(index, adds = false, looks = false) {
+    this.stage.style.cursor = index >= 0 || (adds && looks) ? "grab" : adds ? "copy" : "";
     for (const g of this.handles) g.classList.toggle("rl-hover", Number(g.dataset.index) === index);
   }
 
@@ -783,9 +890,16 @@ class View {
     this.redraw();
   }
 
+  // What is to be in view. The whole chart is that of the curve, wherever there are signs.
+  box() {
+    const own = [this.points, this.curve];
+    return boxOf(...(this.mode === "whole" ? own : [...own, this.signs.places]));
+  }
+
   wanted() {
-    const box = boxOf(this.points, this.curve);
-    return (this.mode === "whole" ? wholeChart : fitted)(box, this.size.width, this.size.height);
+    const shape = this.mode === "whole" ? wholeChart : fitted,
+      sheet = sheetOf(boxOf(this.points, this.curve));
+    return { ...shape(this.box(), this.size.width, this.size.height), sheet };
   }
 
   setMode(mode) {
@@ -802,7 +916,7 @@ class View {
   // or has become so small in it that it must be another design.
   settle() {
     if (this.drag || this.run || !this.extent || !this.count) return;
-    const box = boxOf(this.points, this.curve),
+    const box = this.box(),
       next = this.wanted();
     const seen = this.goal ?? this.extent;
     const tiny =
@@ -873,6 +987,7 @@ class View {
   redraw() {
     if (!this.size || !this.extent) return;
     this.drawAxes();
+    this.drawSigns();
     this.drawShape();
     this.drawHandles();
     this.showCursor();
@@ -958,6 +1073,43 @@ class View {
       pen = "L";
     }
     return d;
+  }
+
+  // One path for all tiles of a shade and one text for all signs of a colour: few elements, however
+  // many places there are.
+  drawSigns() {
+    if (!this.size || !this.extent) return;
+    const key = JSON.stringify([this.extent, this.size]);
+    if (key === this.signsKey) return;
+    this.signsKey = key;
+    const { places, signs, colours, which, shades, tile } = this.signs,
+      { left, top, width, height } = this.size;
+    const at = signs.map((_, i) => this.toPixel(places[2 * i], places[2 * i + 1]));
+    const [x0, y0] = this.toPixel(0, 0),
+      [x1, y1] = this.toPixel(...tile),
+      wide = x1 - x0,
+      high = y1 - y0,
+      size = clamp(0.6 * Math.min(wide, high), 6, 16);
+    const across = (x) => clamp(x, left, left + width).toFixed(1),
+      down = (y) => clamp(y, top, top + height).toFixed(1);
+    const tiles = new Map();
+    at.forEach(([x, y], i) => {
+      const d = `M${across(x - wide / 2)} ${down(y - high / 2)}H${across(x + wide / 2)}V${down(y + high / 2)}H${across(x - wide / 2)}z`;
+      if (shades[i]) tiles.set(shades[i], (tiles.get(shades[i]) ?? "") + d);
+    });
+    const written = (colour, k) => {
+      const here = signs.flatMap((sign, i) => (which[i] === k && this.inFrame(...at[i]) ? [[sign, ...at[i]]] : []));
+      const text = {
+        x: here.map(([, x]) => x.toFixed(1)).join(" "),
+        y: here.map(([, , y]) => (y + 0.35 * size).toFixed(1)).join(" "),
+        style: `fill: var(--rl-${colour}); font-size: ${size.toFixed(1)}px`,
+      };
+      return svg("text", text, here.map(([sign]) => sign).join(""));
+    };
+    this.signsLayer.replaceChildren(
+      ...[...tiles].map(([shade, d]) => svg("path", { d, "fill-opacity": (shade / 255).toFixed(3) })),
+      ...colours.map(written),
+    );
   }
 
   drawShape() {
@@ -1077,11 +1229,17 @@ class View {
   }
 
   showCursor() {
-    const place = this.model.get("cursor") ?? [];
+    const ring = this.held ? this.eye() : (this.model.get("ring") ?? []);
+    this.showAt(this.dot, this.model.get("cursor") ?? []);
+    this.showAt(this.ring, ring);
+    this.dot.classList.toggle("rl-left", ring.length === 2);
+  }
+
+  showAt(node, place) {
     const shown = place.length === 2 && this.size && this.extent;
-    this.dot.setAttribute("visibility", shown ? "inherit" : "hidden");
+    node.setAttribute("visibility", shown ? "inherit" : "hidden");
     if (shown)
-      this.dot.setAttribute(
+      node.setAttribute(
         "transform",
         `translate(${this.toPixel(...place)
           .map((a) => a.toFixed(2))
