@@ -32,6 +32,7 @@ from ruledlab.lab.controls import (
     HistoryControl,
     LookControl,
     NumberControl,
+    Player,
     PointControl,
     Readouts,
     TimeControl,
@@ -572,6 +573,83 @@ def test_play_walks_over_all_its_places_without_stumbling(bench):
         bench.time.play.value = step
         assert bench.time.play.value == step
         assert bench.lab.cursor == pytest.approx(step / controls.STEPS)
+
+
+def ticks(play):
+    """Where the browser's button leads: the values it sends until it stops."""
+    if play.value == play.max:
+        play.value = play.min
+        yield
+    while play.value + play.step <= play.max:
+        play.value += play.step
+        yield
+
+
+@pytest.mark.parametrize("t", ["0.0025", "0.9975", "1/3", "1"])
+def test_a_run_gets_to_the_end_wherever_it_begins(bench, t):
+    bench.time.t.field.value = t
+    assert len(list(ticks(bench.time.play))) > 0
+    assert bench.lab.cursor == 1.0
+
+
+def run_of(span, start):
+    """A number that runs there and back, and where it has been."""
+    group, been = Group(), []
+
+    def go(value):
+        been.append(value)
+        player.show(value, span)
+
+    player = Player(group, "x, there and back", go, back=True)
+    player.show(start, span)
+    return player, been
+
+
+@given(st.floats(-3, 3), st.floats(0.01, 5), st.floats(0, 1))
+def test_a_run_there_and_back_has_no_jump(low, width, part):
+    start = low + part * width
+    player, been = run_of((low, low + width), start)
+    list(ticks(player.widget))
+    pace = width * player.PACE / controls.STEPS
+    gone = np.diff([start, *been])
+    assert np.abs(gone).max() <= 1.501 * pace  # the first may be longer by half a step
+    assert low + width - max(start, *been) <= 0.501 * pace
+    assert been[-1] == pytest.approx(low)
+    assert np.count_nonzero(np.diff(np.sign(gone))) <= 1  # there, then back
+    first = been[-1]
+    next(ticks(player.widget))  # and again from there
+    assert been[-1] == pytest.approx(first)
+
+
+def test_a_number_moved_by_hand_keeps_the_direction_of_the_run():
+    player, been = run_of((-1.0, 1.0), 0.5)
+    player.widget.value = 600  # on the way back, at 0
+    assert been == [0.0]
+    player.show(0.5, (-1.0, 1.0))
+    next(ticks(player.widget))
+    assert been[-1] == pytest.approx(0.49)
+
+
+def test_a_number_beyond_the_ends_runs_back_from_the_end():
+    player, been = run_of((-1.0, 1.0), 50.0)
+    next(ticks(player.widget))
+    assert been == [pytest.approx(0.99)]
+
+
+def test_a_refused_number_can_be_left_by_the_way_back():
+    """The slider stands where the reader left it; its move back to the number shown is one."""
+    group, asked = Group(), []
+    number = NumberControl(group, "x", "x", (0.0, 2.0), 0.01, asked.append)
+    number.show(1.0)
+    number.slider.value = 2.0
+    number.refuse("too large")
+    assert "too large" in number.error.value
+    number.slider.value = 1.0
+    assert asked == [2.0, 1.0]
+    number.show(1.0)
+    assert number.error.value == ""
+    number.slider.value = 1.004  # what the browser makes of it
+    assert asked == [2.0, 1.0]
 
 
 # ---- history and gallery ------------------------------------------------------------------------

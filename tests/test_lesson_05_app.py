@@ -257,6 +257,81 @@ def test_one_move_draws_once(app, drawn):
         assert len(drawn) == 1
 
 
+# ---- the run of w -------------------------------------------------------------------------------
+
+
+def run(play, *steps):
+    """What the browser sends while a player runs: start and end come with a number."""
+    for step in steps[:-1]:
+        play.set_state({"playing": True, "value": step})
+    play.set_state({"playing": False, "value": steps[-1]})
+
+
+def test_a_run_of_w_turns_the_plane_from_end_to_end_and_back(app, drawn):
+    play, been = app.place.play, []
+    app.spot.follow(lambda _: been.append(app.spot.value.w))
+    run(play, *range(play.value + 2, play.max + 1, 2))
+    assert been[:3] == [-0.59, -0.58, -0.57]  # from where it was, on the slider's own places
+    assert (max(been), been[-1]) == (1.0, -1.0)
+    assert len(drawn) == len(been) == 160 + 200
+    normals = [named(d.strokes, "normal")[0].points for d in drawn]
+    ways = np.array([p[1] - p[0] for p in normals])
+    ways /= np.linalg.norm(ways, axis=1)[:, None]
+    turns = np.degrees(np.arccos((ways[:-1] * ways[1:]).sum(axis=1).clip(-1, 1)))
+    assert turns.max() < 1.5  # nowhere a jump
+    there = np.degrees(np.arctan(1 / 0.5) + np.arctan(0.6 / 0.5))  # θ = arctan(w/δ), δ = 1/2
+    assert turns[:159].sum() == pytest.approx(there, abs=0.02 * there)
+
+
+def test_a_pause_keeps_w_and_a_run_is_one_step(app):
+    app.place.w.field.value = "0.1"
+    run(app.place.play, 222, 224, 226)
+    assert app.spot.value.w == 0.13
+    assert (app.place.w.field.value, app.place.w.slider.value) == ("0.13", pytest.approx(0.13))
+    app.history.undo.click()
+    assert app.spot.value.w == 0.1
+    assert app.place.play.value == 220  # the next run goes on from here
+    app.history.redo.click()
+    assert app.spot.value.w == 0.13
+    app.history.undo.click()
+    app.history.undo.click()
+    assert not app.spot.can_undo
+
+
+def test_both_players_at_once_and_the_hand_between_are_one_step(app):
+    start = app.spot.value
+    app.time.play.set_state({"playing": True, "value": 280})
+    app.place.play.set_state({"playing": True, "value": 100})
+    app.time.play.set_state({"value": 282})
+    app.place.w.slider.value = 0.5
+    app.place.play.set_state({"value": 302})
+    assert (app.spot.value.t, app.spot.value.w) == (0.705, 0.51)
+    app.history.undo.click()
+    assert app.spot.value == start and not app.spot.can_undo
+    assert app.lab.cursor == start.t
+
+
+def test_a_run_over_the_gap_of_a_torsal_ruling_says_so_in_its_own_line(app):
+    app.gallery.menu.value = "plucker_conoid"
+    app.pick(0.125, -0.01)
+    run(app.place.play, 200)
+    assert app.spot.value.w == 0.0
+    assert "no tangent plane here: the striction point of a torsal" in app.place.w.error.value
+    assert app.place.w.error.layout.min_height == "20px"  # nothing moves as it comes and goes
+    run(app.place.play, 202)
+    assert app.place.w.error.value == ""
+
+
+def test_the_run_is_that_of_the_drawn_ruling():
+    app = bending(example("right_helicoid").with_(length=4.0), w=1.0)
+    run(app.place.play, 400)
+    assert app.spot.value.w == 2.0
+    app.place.w.field.value = "50"
+    run(app.place.play, 402)
+    assert app.spot.value.w == pytest.approx(1.98)
+    app.close()
+
+
 def test_w_is_measured_from_the_striction_point_whatever_the_design_says():
     app = bending(example("example_2").with_(base="foot"))
     assert app.lab.design.base == "striction"

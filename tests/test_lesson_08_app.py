@@ -22,6 +22,7 @@ from ruledlab.geometry import carried, enclosed, gallery
 from ruledlab.geometry.curve import close
 from ruledlab.geometry.line import Line
 from ruledlab.lab import example, once_round
+from ruledlab.lab.apps import lesson_08
 from ruledlab.lab.palette import DARK, LIGHT
 from ruledlab.lab.scenes import once_round as once_round_scene
 from ruledlab.lab.scenes.once_round import (
@@ -392,10 +393,171 @@ def test_a_move_evaluates_what_it_shows_once(app, monkeypatch):
     assert len(asked) == 3
 
 
+# ---- the size of the loop ------------------------------------------------------------------------
+
+
+def sized(app, text):
+    app.size.size.field.value = text
+    return np.array(app.lab.design.points)
+
+
+def ratios(app):
+    """The last column of the rows under the slider: l, λ mod 2π."""
+    return [
+        float(cell) if cell != "–" else None
+        for cell in re.findall(r"<td [^>]*>([^<]*)</td></tr>", app.shrunk.value)
+    ]
+
+
+@pytest.mark.parametrize("text", ["1/2", "0.1", "1.9"])
+def test_the_size_scales_the_loop_about_its_middle(app, text):
+    before = np.array(app.lab.design.points)
+    after = sized(app, text)
+    factor = float(eval(text))
+    assert np.allclose(np.ptp(after, axis=0), factor * np.ptp(before, axis=0))
+    assert np.allclose(after.min(axis=0) + after.max(axis=0), math.pi / 2)
+    assert np.allclose(after - after[0], factor * (before - before[0]))
+    assert app.lab.result.closure.order == 1
+    loop = math.pi / 4 + factor * (before - math.pi / 4)
+    surface = RuledSurface(Bezier(loop), "u - v", "u + v")
+    assert app.lab.result.pitch.dual == pytest.approx(surface.pitch(), abs=1e-12)
+    assert app.size.size.error.value == ""
+
+
+def test_the_smaller_the_loop_the_more_exactly_half_the_size_leaves_a_quarter(app):
+    assert ratios(app) == [1.0, 1.0]
+    found = [(sized(app, size), ratios(app))[1] for size in ("0.8", "0.4", "0.2", "0.1")]
+    off = np.abs(np.divide(found[1:], found[:-1]) - 0.25)
+    assert (np.diff(off, axis=0) < 0).all()
+    assert off[-1].max() < 1e-3
+
+
+def test_the_ratios_belong_to_the_shape_and_the_fields_of_now(app):
+    sized(app, "1/2")
+    app.lab.edit("ubar", ubar="u*v")
+    whole = RuledSurface(Bezier(app.size.whole), "u*v", "u + v")
+    expected = app.lab.result.pitch.dual / whole.pitch()
+    assert ratios(app)[0] == pytest.approx(expected, abs=6e-5)
+    app.figure.points.place(3, (1.0, 0.8), None)
+    assert ratios(app) == [1.0, 1.0]  # a new shape, of size 1
+
+
+def test_a_cone_and_an_open_surface_have_no_ratio_of_pitches(app):
+    app.lab.load(example("cone"), "test")
+    sized(app, "1/2")
+    assert ratios(app)[0] is None
+    assert ratios(app)[1] == pytest.approx(0.2514, abs=1e-4)
+    app.lab.load(example("shell"), "test")
+    assert ratios(app) == [None, None]
+
+
+def test_a_loop_run_through_backwards_shrinks_alike(app):
+    points = app.lab.design.points[::-1]
+    app.lab.edit("test", points=points)
+    assert "2π − 0.1672" in app.shrunk.value
+    sized(app, "1/2")
+    assert "2π − 0.04205" in app.shrunk.value
+    assert ratios(app) == pytest.approx([0.2554, 0.2514])
+
+
+def test_a_stroke_of_the_size_is_one_step_of_undo_and_undo_knows_the_size(app):
+    before = shown(app), app.lab.design, app.shrunk.value
+    for value in (0.9, 0.7, 0.5):
+        app.size.size.slider.value = value
+    half = shown(app), app.lab.design, app.shrunk.value
+    app.figure.points.place(3, (0.9, 0.8), None)
+    assert app.size.value == 1.0
+    app.history.undo.click()
+    assert (shown(app), app.lab.design, app.shrunk.value) == half
+    assert (app.size.value, app.size.size.field.value) == (0.5, "0.5")
+    app.history.undo.click()
+    assert (shown(app), app.lab.design, app.shrunk.value) == before
+    assert (app.size.value, app.lab.can_undo) == (1.0, False)
+    app.history.redo.click()
+    assert app.size.value == 0.5
+
+
+def test_back_at_size_1_every_digit_is_there(app):
+    design = app.lab.design
+    for value in (0.13, 1.7, 0.1, 1.0):
+        app.size.size.slider.value = value
+    assert app.lab.design == design
+    assert app.gallery.menu.value == "example_2"
+
+
+def test_a_size_that_meets_a_pole_is_refused_beside_the_slider(app):
+    app.size.size.slider.value = 1.99
+    good = shown(app), app.lab.design
+    app.size.size.slider.value = 2.0  # v from 0 to π/2
+    assert "0 &lt; v &lt; π" in app.size.size.error.value
+    assert (shown(app), app.lab.design) == good
+    app.size.size.slider.value = 1.99  # by one key: the number that is shown
+    assert app.size.size.error.value == ""
+    assert (shown(app), app.lab.design) == good
+
+
+@pytest.mark.parametrize(
+    ("text", "says"), [("0", "greater than 0"), ("-1", "greater than 0"), ("1 +", "alert")]
+)
+def test_a_size_that_is_none_is_refused(app, text, says):
+    before = app.lab.design
+    app.size.size.field.value = text
+    assert says in app.size.size.error.value
+    assert app.lab.design == before
+
+
+@pytest.mark.parametrize("key", ["hyperboloid", "crown"])
+def test_a_curve_round_the_axis_has_no_other_size(app, key):
+    app.lab.load(example(key), "test")
+    before = app.lab.design
+    app.size.size.slider.value = 0.5
+    assert "goes round the axis" in app.size.size.error.value
+    assert app.lab.design == before
+    app.history.reset.click()
+    assert app.size.size.error.value == ""
+
+
+def test_a_loop_beyond_a_pole_may_shrink(app):
+    """Only a larger size is refused: the smaller one leads back."""
+    points = np.array(app.lab.design.points) - [0.0, 0.5]
+    app.lab.edit("test", points=tuple(map(tuple, points)))
+    app.size.size.slider.value = 0.9
+    assert app.size.value == 0.9 and app.size.size.error.value == ""
+
+
+def test_the_region_keeps_its_scale_while_the_loop_shrinks(app):
+    (full,) = spans(app.region.value).values()
+    outline = re.search(r'<path d="([^"]*Z)" fill="none"', app.region.value)[1]
+    assert "dash" not in app.region.value
+    sized(app, "1/2")
+    (small,) = spans(app.region.value).values()
+    assert small == pytest.approx(0.25 * full, rel=0.04)
+    dashed = re.search(r'<path d="([^"]*)" fill="none"[^>]*stroke-dasharray', app.region.value)[1]
+    places = [np.array(re.findall(r"[\d.]+", d), dtype=float) for d in (dashed, outline)]
+    assert np.allclose(*places, atol=0.15)  # where the whole loop was
+    assert "The dashed line is the loop at size 1." in app.region.value
+    sized(app, "1")
+    assert "dash" not in app.region.value
+
+
+def test_the_size_asks_for_the_full_loop_once(app, monkeypatch):
+    asked = []
+    found = lesson_08.total_of
+    monkeypatch.setattr(lesson_08, "total_of", lambda s: asked.append(s) or found(s))
+    app.lab.edit("ubar", ubar="u")
+    for value in (0.9, 0.8, 0.7):
+        app.size.size.slider.value = value
+    assert asked == []  # it was known from size 1
+    app.lab.edit("ubar", ubar="v")
+    app.size.size.slider.value = 0.6
+    assert len(asked) == 1
+
+
 def test_closing_leaves_nothing():
     before = set(ipywidgets.widget._instances)
     app = once_round(example("orchid"))
     app.lab.move_cursor(0.5)
+    app.size.size.slider.value = 0.5
     app.close()
     assert set(ipywidgets.widget._instances) == before
     assert not app.lab._followers

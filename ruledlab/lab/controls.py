@@ -36,6 +36,7 @@ __all__ = [
     "HistoryControl",
     "LookControl",
     "NumberControl",
+    "Player",
     "PointControl",
     "Readouts",
     "TimeControl",
@@ -230,7 +231,7 @@ class NumberControl:
     ) -> None:
         self._group, self._name, self._commit = group, name, commit
         self._whole, self._fixed = whole, fixed
-        self._value = math.nan
+        self._value, self._refused = math.nan, False
         kind = w.IntSlider if whole else w.FloatSlider
         room = w.Layout(flex="1 1 80px", min_width="60px", width="auto")
         self.slider = kind(min=span[0], max=span[1], step=step, readout=False, layout=room)
@@ -249,7 +250,7 @@ class NumberControl:
 
     def show(self, value: float) -> None:
         """Show a number; the slider's ends move if it lies beyond them."""
-        self._value = value
+        self._value, self._refused = value, False
         span = self._span(value)
         place = self._on_grid(value, **span)
         if abs(place - self.slider.value) < 1e-6 * self.slider.step:
@@ -280,9 +281,14 @@ class NumberControl:
         """Show what is wrong, or nothing."""
         self._group.put(self.error, value=error_html(text, pointer) if text else "")
 
+    def refuse(self, text: str) -> None:
+        """Say why the last number cannot be; the slider's way back to the one shown is a move."""
+        self._refused = True
+        self.say(text)
+
     def _slid(self, value: float) -> None:
         # The browser also reports the grid place of a value that was typed between two of them.
-        if abs(value - self._value) <= 0.501 * self.slider.step:
+        if abs(value - self._value) <= 0.501 * self.slider.step and not self._refused:
             return
         if self._echoes.heard(value):
             self.show(self._value)  # what is here of the slider has gone back with the echo
@@ -547,13 +553,65 @@ class FieldControl(Group):
         self.put(self.meaning, value=f'<div class="ruledlab-note">{meaning}</div>')
 
 
+class Player:
+    """Buttons that let a number run by itself, in equal steps between two ends.
+
+    Parameters
+    ----------
+    group
+        the life it belongs to.
+    words
+        what runs and where, for the names of the buttons.
+    commit
+        called with each number of the run.
+    back
+        whether a run leads to the end and back, so that it can be repeated without a jump.
+    """
+
+    PACE = 2  # of the steps at a time
+
+    def __init__(
+        self, group: Group, words: str, commit: Callable[[float], Any], *, back: bool = False
+    ) -> None:
+        self._group, self._commit, self._span = group, commit, (0.0, 1.0)
+        self._asking = False
+        last = 2 * STEPS if back else STEPS
+        self.widget = w.Play(max=last, step=self.PACE, interval=50, show_repeat=True)
+        self.widget.tooltip = words
+        group.on(self.widget, "value", self._played)
+
+    def show(self, value: float, span: tuple[float, float]) -> None:
+        """Let the next run go on from this number, in the direction of the last one."""
+        self._span = start, end = span
+        part = min(max((value - start) / (end - start), 0.0), 1.0)
+        # Between two steps the button would stop before the end, and never start from there.
+        step = self.PACE * round(part * STEPS / self.PACE)
+        returning = self.widget.value > STEPS
+        self._group.put(self.widget, value=2 * STEPS - step if returning else step)
+
+    @property
+    def running(self) -> bool:
+        """Whether a run is on; its last number may come in one message with word of its end."""
+        return self._asking or self.widget.playing
+
+    def _played(self, step: int) -> None:
+        start, end = self._span
+        part = STEPS - abs(STEPS - step)
+        self._asking = True
+        try:
+            self._commit(start + (end - start) * part / STEPS)
+        finally:
+            self._asking = False
+
+
 class TimeControl(Group):
     """The cursor t: play, slide, type."""
 
     def __init__(self, lab: Lab) -> None:
         super().__init__()
         self._lab = lab
-        self.play = w.Play(min=0, max=STEPS, step=2, interval=50, show_repeat=True)
+        self.player = Player(self, "t, along the curve", lab.move_cursor)
+        self.play = self.player.widget
         self.t = NumberControl(
             self,
             "t",
@@ -565,21 +623,14 @@ class TimeControl(Group):
         )
         self.widget = w.VBox([w.HBox([self.play, self.t.widget]).add_class("ruledlab-time")])
         self.t.widget.layout.flex = "1 1 200px"
-        self.on(self.play, "value", self._played)
         self.follow(lab, self.update)
         self.update(Change(mark=True))
-
-    def _played(self, step: int) -> None:
-        start, end = self._lab.result.surface.domain
-        self._lab.move_cursor(start + (end - start) * step / STEPS)
 
     def update(self, change: Change) -> None:
         """Follow the lab."""
         if change.mark:
-            start, end = self._lab.result.surface.domain
             self.t.show(self._lab.cursor)
-            step = round((self._lab.cursor - start) / (end - start) * STEPS)
-            self.put(self.play, value=step)
+            self.player.show(self._lab.cursor, self._lab.result.surface.domain)
 
 
 class HistoryControl(Group):

@@ -7,6 +7,14 @@ from .test_lessons import LESSONS, in_sight, run_whole
 
 GRAPH = "svg.ruledlab-bend"
 W = "w, the place along the ruling from the striction point"
+W_SHOWN = (
+    f"Number(document.querySelector('{GRAPH}').ariaLabel"
+    ".match(/At w = ([^,]*),/)[1].replace('−', '-'))"
+)
+PLACES = """() => [...document.querySelectorAll('.ruledlab :is(svg, table, input, button)')]
+  .map(part => { const {x, y, width, height} = part.getBoundingClientRect();
+                 return [x, y - document.querySelector('.ruledlab').getBoundingClientRect().y,
+                         width, height].map(Math.round).join() })"""
 ANSWER = (
     "from ruledlab.exercises import find, seed; print(find('05.1').task(seed()).right_answer())"
 )
@@ -22,6 +30,18 @@ def test_the_plane_moves_and_an_exercise_is_answered(lab: LabSession) -> None:
         page.page.locator(f"{GRAPH}[aria-label*='At w = −0.5,']").wait_for()
         assert page.wait_change(space, THREE) != space
         page.page.get_by_label("tangent planes along the ruling").check()
+
+        places = page.page.evaluate(PLACES)
+        play = page.page.get_by_role("button", name="play or pause: w")
+        page.press(play, "Enter")
+        page.page.wait_for_function(f"() => {W_SHOWN} > -0.4")
+        page.press(play, "Space")
+        still = page.wait_still(THREE)
+        assert page.stays(still, THREE)
+        assert page.page.evaluate(W_SHOWN) > -0.4  # where it was paused
+        assert page.page.evaluate(PLACES) == places  # nothing has moved out of its place
+        page.page.get_by_role("button", name="undo").click()
+        page.page.locator(f"{GRAPH}[aria-label*='At w = −0.5,']").wait_for()
         page.screenshot("lesson-05")
         card = page.page.locator(".ruledlab-exercise").first
         card.scroll_into_view_if_needed()

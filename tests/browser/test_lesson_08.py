@@ -17,6 +17,18 @@ def test_the_way_round_lives_and_an_exercise_is_answered(lab: LabSession) -> Non
         first = page.wait_still(THREE, timeout=60)
         assert first.drawn > 1500
         assert "−6.115937783" in page.locator(WAYS).inner_text()
+        size = page.page.get_by_role("slider", name="size of the loop")
+        page.press(size, "ArrowLeft", 50)
+        page.wait_kernel("app.size.value", "0.5")
+        small = page.wait_change(first, THREE)
+        page.page.get_by_role("cell", name="0.2554").wait_for()
+        page.press(size, "End")
+        page.page.get_by_role("alert").get_by_text("0 < v < π").wait_for()
+        assert page.stays(small, THREE, over=0.3)
+        page.screenshot("lesson-08-size")
+        page.kernel_exec("app.size.resize(1.0)")
+        page.wait_same(first, THREE)
+
         in_sight(page, HANDLE)
         page.press(f"{HANDLE}[tabindex='0']", "Shift+ArrowDown")
         moved = page.wait_change(first, THREE)

@@ -12,8 +12,16 @@ from typing import Any
 import ipywidgets as w
 
 from ...design import Design
-from ..controls import GalleryControl, Group, HistoryControl, NumberControl, Strokes, TimeControl
-from ..scenes.bend import STYLE, Bend, bend, curvatures, forms, graph, in_space, words
+from ..controls import (
+    GalleryControl,
+    Group,
+    HistoryControl,
+    NumberControl,
+    Player,
+    Strokes,
+    TimeControl,
+)
+from ..scenes.bend import STYLE, Bend, bend, curvatures, forms, graph, in_space, lacking, words
 from ..slate import Change, Slate
 from ..state import Lab
 from ..view3d import SurfaceView
@@ -47,21 +55,28 @@ class Spot:
 
 
 class Place(Group):
-    """The place w along the ruling, the colour of the surface, the planes along the ruling."""
+    """The place w along the ruling: play, slide, type; colour and planes along the ruling."""
 
     COLOURINGS = (("K", "gauss"), ("H", "mean"), ("δ", "delta"), ("plain", "plain"))
 
     def __init__(self, app: Bending, half: float) -> None:
         super().__init__()
-        strokes = Strokes()
+        self._app = app
         self.w = NumberControl(
             self,
             "w",
             "w, the place along the ruling from the striction point",
             (-half, half),
             0.01,
-            lambda value: app.spot.edit("w", strokes.token("w"), w=value),
+            self._move,
         )
+        self.player = Player(self, "w, along the ruling and back", self._run, back=True)
+        self.play = self.player.widget
+        row, error = self.w.widget.children
+        row.layout.flex = "1 1 200px"
+        error.layout.min_height = "20px"  # a run may pass where there is no plane
+        run = w.HBox([self.play, row]).add_class("ruledlab-time")
+        self.w.widget.children = [run, error]
         self.colour = w.Dropdown(
             options=self.COLOURINGS,
             description="colour",
@@ -78,6 +93,19 @@ class Place(Group):
         self.on(self.colour, "value", app.lab.colour)
         self.on(self.fan, "value", lambda _: app.show())
         self.click(self.home, app.view.reset_view)
+
+    def _move(self, value: float) -> None:
+        self._app.spot.edit("w", self._app.stroke("w"), w=value)
+
+    def _run(self, value: float) -> None:
+        self._move(round(value, 12))
+
+    def show(self, spot: Spot, lack: str | None) -> None:
+        """Show w, and why there is no tangent plane."""
+        half = 0.5 * spot.design.length
+        self.w.show(spot.w)
+        self.w.say(lack)
+        self.player.show(spot.w, (-half, half))
 
 
 class Bending(LabApp):
@@ -124,6 +152,14 @@ class Bending(LabApp):
             self.gallery.note,
         )
 
+    def stroke(self, moved: str) -> object:
+        """Return what is equal for moves that are one step of undo: a run is one, or two at once.
+
+        Whatever else the reader moves meanwhile belongs to the run.
+        """
+        running = self.time.player.running or self.place.player.running
+        return self._strokes.token("run" if running else moved)
+
     def pick(self, t: float, w: float) -> None:
         """Look at a point of the surface."""
         self.spot.edit("pick", t=t, w=w)
@@ -135,7 +171,7 @@ class Bending(LabApp):
             self.spot.edit("lab", design=self.lab.design)
             self.legend.value = self.view.legend_html(self.lab.result.scene)
         elif change.mark:
-            self.spot.edit("lab", self._strokes.token("t"), t=self.lab.cursor)
+            self.spot.edit("lab", self.stroke("t"), t=self.lab.cursor)
         if change.scene or change.mark:
             self.show()
 
@@ -162,5 +198,4 @@ class Bending(LabApp):
         self.view.describe(words(spot.t, now))
         self.picture.value = graph(now)
         self.curved.value, self.forms.value = curvatures(now), forms(now)
-        self.place.w.show(spot.w)
-        self.place.w.say(f"No tangent plane here: {now.reason}." if now.reason else None)
+        self.place.show(spot, lacking(now))

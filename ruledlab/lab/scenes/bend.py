@@ -15,7 +15,7 @@ from ...geometry.checks import Array
 from ..overlay import Dot, Label, Overlay, Sheet, Stroke
 from ..palette import DARK, LIGHT, Theme
 
-__all__ = ["STYLE", "Bend", "bend", "curvatures", "forms", "graph", "in_space", "words"]
+__all__ = ["STYLE", "Bend", "bend", "curvatures", "forms", "graph", "in_space", "lacking", "words"]
 
 FAN: Final = 7
 """Tangent planes along the ruling, when they are shown."""
@@ -318,6 +318,18 @@ def forms(found: Bend) -> str:
             for name, unit in units.items()
         ]
     )
+
+
+def lacking(found: Bend) -> str | None:
+    """Return why there is no tangent plane in the place looked at, in one line; None if there is.
+
+    The line is short on a torsal ruling, where it comes and goes as w runs.
+    """
+    if not found.reason:
+        return None
+    torsal = math.isfinite(found.delta)
+    why = "the striction point of a torsal ruling" if torsal else found.reason
+    return f"There is no tangent plane here: {why}."
 
 
 def words(t: float, found: Bend) -> str:

@@ -42,6 +42,8 @@ __all__ = [
     "path_of",
     "region_svg",
     "seam_html",
+    "size_html",
+    "total_of",
     "ways_of",
     "words_of",
 ]
@@ -102,6 +104,11 @@ def ways_of(surface: RuledSurface) -> Ways:
         for find in (RuledSurface.dual_angle_of_pitch, enclosed, stepped, steiner)
     ]
     return Ways(*parts, tuple(dict.fromkeys(reasons)))
+
+
+def total_of(surface: RuledSurface) -> Dual | None:
+    """Return Λ by line integrals, or None where there is none."""
+    return _or_reason(surface.dual_angle_of_pitch, [])
 
 
 def _or_reason(find: Callable[[], Any], reasons: list[str]) -> Any:
@@ -170,13 +177,15 @@ ROW = 2.0
 HUES = {1: "#0072b2", -1: "#d55e00"}
 
 
-def region_svg(region: Enclosed) -> str:
+def region_svg(region: Enclosed, frame: Array | None = None) -> str:
     """Return the enclosed region in the chart, shaded by how often it is encircled.
 
     As in the chart of the lab, v grows downwards: this is the sphere seen from outside, and
-    anticlockwise is anticlockwise there.
+    anticlockwise is anticlockwise there. The loop ``frame`` is drawn with a dashed line, in the
+    same scale: the picture shows how much smaller or larger this one is.
     """
-    low, high = region.outline.min(axis=0), region.outline.max(axis=0)
+    shown = region.outline if frame is None else np.concatenate([region.outline, frame])
+    low, high = shown.min(axis=0), shown.max(axis=0)
     room = np.array([WIDE, HIGH]) - MARGIN.sum(axis=0)
     scale = float((room / np.maximum(high - low, 1e-9)).min())
     slack = np.array([0.5 * (room[0] - scale * (high - low)[0]), 0.0])
@@ -185,14 +194,16 @@ def region_svg(region: Enclosed) -> str:
     border = start + scale * region.outline
     spans, rounds = _spans(border)
     numbers = [int(n) for n in np.unique(rounds) if n]
+    beside = "" if frame is None else " The dashed line is the loop at size 1."
     parts = [_patch(spans[rounds == n], n) for n in numbers]
     parts.append(f'<path d="{_way(border)}" fill="none" stroke="currentColor" stroke-width="1.8"/>')
+    parts += [] if frame is None else [_dashed(start + scale * frame)]
     parts += [_sign(spans[rounds == n], n) for n in numbers]
     parts += [_tick(0, k, start, scale, tall) for k in _eighths(low[0], high[0])]
     parts += [_tick(1, k, start, scale, tall) for k in _eighths(low[1], high[1])]
     return (
         f'<svg viewBox="0 0 {WIDE:g} {tall:.0f}" role="img" fill="currentColor" font-size="13" '
-        f'aria-label="{html.escape(region_words(region, numbers))}" '
+        f'aria-label="{html.escape(region_words(region, numbers) + beside)}" '
         'style="width:100%;max-width:440px;color:var(--jp-ui-font-color1,#1f2328)">'
         f"{''.join(parts)}</svg>"
     )
@@ -218,6 +229,11 @@ def _spans(border: Array) -> tuple[Array, Array]:
 
 def _way(points: Array) -> str:
     return "M" + "L".join(f"{x:.1f},{y:.1f}" for x, y in points) + "Z"
+
+
+def _dashed(points: Array) -> str:
+    line = 'fill="none" stroke="currentColor" stroke-dasharray="3 4" opacity="0.7"'
+    return f'<path d="{_way(points)}" {line}/>'
 
 
 def _patch(spans: Array, n: int) -> str:
@@ -288,6 +304,53 @@ def numbers_html(ways: Ways, path: Path) -> str:
         f"<div>Λ = λ + ε l = {_shown(real, 6)} {sign} ε {abs(dual):.6f}</div>"
         f"{_region_note(ways.region)}{_doubts(ways)}"
     )
+
+
+def size_html(now: Dual | None, full: Dual | None) -> str:
+    """Return l and λ modulo 2π of a loop beside those of the same loop at size 1."""
+    rows = [("<i>l</i>", _parts(now)[1], _parts(full)[1], _figures)]
+    rows.append(("<i>λ</i> mod 2π", _parts(now)[0], _parts(full)[0], _turned))
+    body = "".join(
+        f"<tr><td>{name}</td>{_cells('td', said(a), said(b), _ratio(a, b))}</tr>"
+        for name, a, b, said in rows
+    )
+    widths = "".join(f'<col style="width:{part}%">' for part in (24, 30, 24, 22))
+    return (
+        '<table class="ruledlab-numbers" style="table-layout:fixed;width:100%;'
+        'max-width:344px">'
+        f"{widths}<tr><td></td>{_cells('th', 'now', 'at size 1', 'ratio')}</tr>{body}</table>"
+    )
+
+
+def _cells(kind: str, *texts: str) -> str:
+    """Return cells of columns that keep their places, whatever the numbers."""
+    weight = 400 if kind == "th" else 600
+    style = f"text-align:right;padding:1px 0;white-space:nowrap;font-weight:{weight}"
+    return "".join(f'<{kind} style="{style}">{text}</{kind}>' for text in texts)
+
+
+def _parts(total: Dual | None) -> tuple[float, float]:
+    """Return λ without its whole turns, from −π to π, and l; NaN where there is no Λ."""
+    if total is None:
+        return math.nan, math.nan
+    return math.remainder(float(total.real), 2 * math.pi), float(total.dual)
+
+
+def _ratio(a: float, b: float) -> str:
+    """Return a/b where it says something: not of rounding errors, nor across a whole turn."""
+    return _figures(a / b) if abs(b) > 1e-9 and a * b > 0.0 else "–"
+
+
+def _figures(value: float) -> str:
+    """Return a number with four significant figures; what is rounding only is 0."""
+    if not math.isfinite(value):
+        return "–"
+    return f"{0.0 if abs(value) < 1e-9 else value:.4g}".replace("-", "−")
+
+
+def _turned(angle: float) -> str:
+    """Return an angle of −π to π as one of 0 to 2π."""
+    return f"2π − {_figures(-angle)}" if angle < -1e-9 else _figures(angle)
 
 
 def _doubts(ways: Ways) -> str:

@@ -4,6 +4,7 @@
 // the whole cell, and tells the kernel whether the page is dark.
 
 const PLAYER = ["play or pause", "stop and go back to the start", "repeat"];
+const TOGGLES = ":is(.widget-toggle-button, .widget-play button:nth-child(3)):not([aria-pressed])";
 const QUIET = 20_000; // ms without a new part after which nothing more is expected
 
 const said = (node) => (node?.textContent ?? "").replace(/\u200b/g, "").trim();
@@ -29,13 +30,15 @@ function name(root) {
   };
   for (const part of within(root, ".noUi-handle, input, select"))
     if (![...(part.labels ?? [])].some(said)) give(part, words(part));
-  for (const button of within(root, ".widget-play button"))
-    give(button, PLAYER[[...button.parentElement.querySelectorAll("button")].indexOf(button)]);
+  for (const button of within(root, ".widget-play button")) {
+    const { title, children } = button.parentElement;
+    give(button, [PLAYER[[...children].indexOf(button)], title].filter(Boolean).join(": "));
+  }
   for (const head of within(root, ".jupyter-widget-Collapse-header:not([role])")) {
     unfold(head);
     named++;
   }
-  for (const toggle of within(root, ".widget-toggle-button:not([aria-pressed])")) {
+  for (const toggle of within(root, TOGGLES)) {
     reflect(toggle, "mod-active", toggle, "aria-pressed");
     named++;
   }
