@@ -14,8 +14,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ruledlab.exercises.answers import read_formula, read_numbers
-from ruledlab.exercises.written import in_formula_notation, without_label
 from ruledlab.geometry import Dual, FormulaError, GeometryError
+from ruledlab.geometry.written import in_formula_notation, without_label
 
 PI = math.pi
 

@@ -19,7 +19,7 @@ LAYERS: tuple[frozenset[str], ...] = tuple(
     for names in (
         "geometry.checks",
         "geometry.series geometry.quadrature geometry.formula",
-        "geometry.dual geometry.typeset geometry.choices",
+        "geometry.dual geometry.typeset geometry.choices geometry.written",
         "geometry.jet geometry.line",
         "geometry.curve geometry.bspline geometry.field",
         "geometry.vector geometry.closed geometry.source geometry.congruence geometry.function",
@@ -49,7 +49,7 @@ LAYERS: tuple[frozenset[str], ...] = tuple(
         " ".join(f"lab.apps.lesson_{n:02d}" for n in range(13)),
         "lab.apps",
         "lab",
-        "exercises.written exercises.shape exercises.store exercises.draw exercises.verdict "
+        "exercises.shape exercises.store exercises.draw exercises.verdict "
         "exercises.tex",
         "exercises.answers exercises.kinds.task",
         "exercises.kinds.choose exercises.kinds.number exercises.kinds.formula "

@@ -195,6 +195,23 @@ def test_sliders_move_the_chosen_point(bench, axis, index):
     assert all(bench.lab.design.points[i] == OPEN.points[i] for i in others)
 
 
+@pytest.mark.parametrize(
+    ("typed", "kept"), [("2u v", "2*u*v"), ("u²−v", "u**2-v"), ("u - v", "u - v")]
+)
+def test_formulas_are_read_as_people_write_them(bench, typed, kept):
+    field = bench.fields.rows["ubar"][0]
+    field.value = typed
+    assert (bench.lab.design.ubar, field.value) == (kept, kept)
+    assert bench.fields.rows["ubar"][2].value == ""
+
+
+@pytest.mark.parametrize("typed", ["3π/8", "3 pi/8", "(3/8)π"])
+def test_numbers_are_read_as_people_write_them(bench, typed):
+    bench.points.v.field.value = typed
+    assert bench.lab.design.points[bench.lab.chosen][1] == pytest.approx(3 * np.pi / 8, rel=1e-15)
+    assert bench.points.v.error.value == ""
+
+
 def test_typed_numbers_are_shown_as_typed_and_slider_stands_near(bench):
     bench.points.u.field.value = "3*pi/8"
     assert bench.points.u.field.value == "3*pi/8"

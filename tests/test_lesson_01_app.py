@@ -251,15 +251,16 @@ def test_what_cannot_be_read_is_said_beside_the_field_and_the_picture_stays(
     app: DualNumbers,
 ) -> None:
     before = looks(app)
-    app.control.typed.value = "x^2 + 1"
-    assert "write ** for a power" in app.control.error.value
-    assert "<pre>x^2 + 1\n ^</pre>" in app.control.error.value
+    app.control.typed.value = "x + 1/2x"  # (1/2)x or 1/(2x)?
+    assert "write 2*x" in app.control.error.value
+    assert "<pre>x + 1/2x\n       ^</pre>" in app.control.error.value
     assert looks(app) == before
     app.control.x.slider.value = 1.0  # another control: the words stay to be mended
-    assert app.control.typed.value == "x^2 + 1"
+    assert app.control.typed.value == "x + 1/2x"
     assert app.control.error.value
-    app.control.typed.value = "x**2 + 1"
+    app.control.typed.value = "x^2 + 2x"  # as it is written on paper
     assert app.control.error.value == ""
+    assert app.slate.value.formula == app.control.typed.value == "x**2+2*x"
     app.control.typed.value = "x +"
     app.control.menu.value = "sin(x)"
     assert (app.control.typed.value, app.control.error.value) == ("sin(x)", "")

@@ -39,6 +39,14 @@ def test_a_typed_surface_is_that_of_the_functions(t: float, a: float) -> None:
         np.testing.assert_allclose(first, second, rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.parametrize(
+    "text", ["(cos(t), 2*t, 1)", " ( cos(t) , 2*t , 1 ) ", "(cos(t)), 2*t, (1)", "cos(t), 2*t, 1"]
+)
+def test_brackets_about_the_whole_are_no_part_of_it(text: str) -> None:
+    assert vector(text)(0.5) == vector("cos(t), 2*t, 1")(0.5)
+    assert vector(text).text == text
+
+
 def test_equal_texts_are_equal_vectors() -> None:
     assert vector("t, a, 1", a=2.0) == vector("t, a, 1", a=2.0) != vector("t, a, 1", a=3.0)
     assert vector("t, 0, 1").text == "t, 0, 1"
@@ -55,6 +63,7 @@ def test_equal_texts_are_equal_vectors() -> None:
         ("0, 0, v**2", 6, "unknown name 'v' at column 7; write a formula in t"),
         ("t,,1", 2, "a formula is missing at column 3; write a formula in t"),
         ("t, (1, 2), 3", 5, "column 6"),
+        ("(t, 2*x, 1)", 6, "unknown name 'x' at column 7"),
     ],
 )
 def test_a_formula_that_cannot_be_read_tells_the_place(text: str, place: int, says: str) -> None:

@@ -17,7 +17,7 @@ from ..geometry.checks import Array, GeometryError
 from ..geometry.dual import Dual
 from ..geometry.field import Field, field, number
 from ..geometry.formula import FormulaError
-from .written import Written, in_formula_notation, without_label
+from ..geometry.written import Written, in_formula_notation, without_label
 
 __all__ = ["is_open", "read_formula", "read_numbers"]
 

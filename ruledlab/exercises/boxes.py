@@ -15,6 +15,7 @@ import numpy as np
 import traitlets
 
 from ..lab.apps import chart
+from ..lab.apps.base import Page
 from ..lab.apps.lesson_02 import LinesFigure
 from ..lab.controls import FieldControl, Group, HistoryControl
 from ..lab.palette import DARK, LIGHT
@@ -263,7 +264,7 @@ class CodeBox(Box):
 
     def __init__(self, group: Group, submit: Submit, task: Code, key: str) -> None:
         super().__init__(group, submit)
-        lines = f'{task.starter}\ncheck("{key}", value)'
+        lines = f'from ruledlab.exercises import check\n{task.starter}\ncheck("{key}", value)'
         self._last = w.HTML(layout=w.Layout(display="none"))
         self.widget.children = [
             w.HTML(
@@ -473,10 +474,10 @@ class PlaceBox(GoalBox):
 
 
 def _control(group: Any) -> Part:
-    """Return a control's widget and what closes it."""
-    if group.defect not in group.widget.children:
-        group.widget.children = (*group.widget.children, group.defect)
-    return group.widget, group.release
+    """Return a control in a box that names its parts, as an app does, and what closes it."""
+    box = w.VBox([Page(), group.widget, group.defect])
+    box.add_class("ruledlab")
+    return box, group.release
 
 
 def conditions_html(conditions: Sequence[Condition]) -> str:

@@ -7,8 +7,8 @@ function: three typed formulas with commas between them, read as those of ū and
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 from .checks import GeometryError, finite_array
@@ -50,7 +50,8 @@ def vector(text: str, name: str = "vector", a: float = 0.0) -> Vector:
     Parameters
     ----------
     text
-        three formulas in t with commas between them; the letter a stands for one constant.
+        three formulas in t with commas between them, in round brackets or without; the letter a
+        stands for one constant.
     name
         the argument's name in messages.
     a
@@ -79,7 +80,7 @@ def vector(text: str, name: str = "vector", a: float = 0.0) -> Vector:
     constant = finite_array(a, "a")
     if constant.ndim:
         raise GeometryError(f"`a` must be one number; got an array of shape {constant.shape}")
-    pieces = list(_pieces(text))
+    pieces = _pieces(text)
     if len(pieces) != 3:
         raise GeometryError(
             f"`{name}` must be three formulas with commas between them; got {len(pieces)}; "
@@ -89,15 +90,24 @@ def vector(text: str, name: str = "vector", a: float = 0.0) -> Vector:
     return Vector(text, float(constant), parts)
 
 
-def _pieces(text: str) -> Iterator[tuple[int, int]]:
-    """Yield where the formulas begin and end: at commas that stand in no bracket."""
-    depth = start = 0
-    for place, sign in enumerate(text):
-        depth += (sign == "(") - (sign == ")")
-        if sign == "," and depth <= 0:
-            yield start, place
-            start = place + 1
-    yield start, len(text)
+def _pieces(text: str) -> list[tuple[int, int]]:
+    """Return where the formulas begin and end, inside a pair of brackets about them all."""
+    start, end = len(text) - len(text.lstrip()), len(text.rstrip())
+    whole = _between_commas(text, 0, len(text))
+    if len(whole) > 1 or text[start : start + 1] != "(" or text[end - 1 : end] != ")":
+        return whole
+    inside = _between_commas(text, start + 1, end - 1)
+    return inside if len(inside) > 1 else whole
+
+
+def _between_commas(text: str, start: int, end: int) -> list[tuple[int, int]]:
+    """Cut a part of the text at the commas that stand in no bracket."""
+    commas, depth = [start - 1], 0
+    for place in range(start, end):
+        depth += (text[place] == "(") - (text[place] == ")")
+        if text[place] == "," and depth <= 0:
+            commas.append(place)
+    return [(a + 1, b) for a, b in pairwise([*commas, end])]
 
 
 def _component(text: str, start: int, end: int, name: str) -> Field:

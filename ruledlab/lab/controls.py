@@ -26,6 +26,7 @@ from ..geometry.curve import Bezier, close, drag, insert, remove
 from ..geometry.field import field, named_number, number
 from ..geometry.formula import FormulaError
 from ..geometry.gallery import GALLERY, Example
+from ..geometry.written import tidied
 from .scene import SYMBOLS
 from .slate import Change, Slate
 from .state import Lab
@@ -44,6 +45,8 @@ __all__ = [
 
 PAUSE = 0.8
 """Seconds without a move after which the next move of a slider is a new step of undo."""
+
+TURN = 2 * math.pi
 
 STEPS = 400
 """Steps of the cursor over the whole domain."""
@@ -142,6 +145,35 @@ def error_html(text: str | None, pointer: str = "") -> str:
 def plain(text: str) -> str:
     """Return an error's words without the marks of code around argument names."""
     return text.replace("`", "")
+
+
+def readable(text: str, letters: tuple[str, ...], read: Callable[[str], object]) -> str:
+    """Return the text if it can be read, else what is meant by it: ``2*u`` for ``2u``.
+
+    Parameters
+    ----------
+    text
+        what was typed.
+    letters
+        the variables it may have.
+    read
+        reads a formula in strict notation or raises `FormulaError`.
+
+    Raises
+    ------
+    FormulaError
+        if neither can be read: the error of the text as it was typed.
+    """
+    try:
+        read(text)
+    except FormulaError as error:
+        try:
+            meant = tidied(text, letters)
+            read(meant)
+        except GeometryError:
+            raise error from None
+        return meant
+    return text
 
 
 class Strokes:
@@ -297,7 +329,8 @@ class NumberControl:
 
     def _typed(self, text: str) -> None:
         try:
-            value = self._allowed(number(text, self._name))
+            strict = readable(text, (), lambda typed: number(typed, self._name))
+            value = self._allowed(number(strict, self._name))
             if value == self._value:
                 self.show(value)  # nothing will change, but an earlier message has to go
             self._commit(value)
@@ -511,11 +544,11 @@ class FieldControl(Group):
 
     def _type(self, name: str, text: str) -> None:
         try:
-            field(text, name)
+            meant = readable(text, ("u", "v"), lambda typed: field(typed, name))
         except FormulaError as error:
-            self._say(name, plain(str(error)), error.pointer(40))
+            self._say(name, plain(error.message), error.pointer(40))
             return
-        self._lab.edit(name, **{name: text})
+        self._lab.edit(name, **{name: meant})
 
     def _choose(self, key: str) -> None:
         for choice in CHOICES:
@@ -830,8 +863,11 @@ def _closed_html(lab: Lab) -> str:
     result = lab.result
     turn = shift = both = modulo = "–"
     if result.pitch is not None:
-        real, dual = float(result.pitch.real), float(result.pitch.dual)
-        turn, shift, modulo = f"{real:.6f}", f"{dual:.6f}", f"{real % (2 * np.pi):.6f}"
+        exact = float(result.pitch.real)
+        # Adding 0 makes a zero of −0; nearly a whole turn is none.
+        real, dual = round(exact, 6) + 0.0, round(float(result.pitch.dual), 6) + 0.0
+        left = exact % TURN if TURN - exact % TURN > 5e-7 else 0.0
+        turn, shift, modulo = f"{real:.6f}", f"{dual:.6f}", f"{left:.6f}"
         both = f"{real:.4f} {'+' if dual >= 0 else '-'} ε {abs(dual):.4f}"
     rows = (
         ("angle of pitch", "λ", turn, "rad"),

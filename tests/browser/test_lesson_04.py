@@ -40,7 +40,7 @@ def test_one_cursor_goes_through_all_of_lesson_04(lesson: NotebookPage) -> None:
     plots = lesson.wait_change(plots, PLOTS)
     page.get_by_role("button", name="over s").first.click()
     assert lesson.wait_change(plots, PLOTS) != plots
-    page.get_by_text("Over the arc length s").first.wait_for()
+    page.get_by_text("For each unit of s").first.wait_for()
     lesson.screenshot("lesson-04")
     assert lesson.errors() == []
     assert lesson.console_errors == []

@@ -130,6 +130,8 @@ FACTORS = (
 )
 """Factors that are easily forgotten or put in twice."""
 
+ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth")
+
 
 def what_is_off(given: Array, expected: Array, allowed: float) -> str:
     """Say what is off in an array or a number that is not right, without telling the answer."""
@@ -141,10 +143,16 @@ def what_is_off(given: Array, expected: Array, allowed: float) -> str:
         return "These are the right numbers in another order."
     wrong = np.argwhere(np.abs(given - expected) > allowed)
     first = tuple(wrong[0])
-    place = ", ".join(str(i) for i in first)
     said = _off_number(float(given[first]), float(expected[first]), allowed)
     some = f"{len(wrong)} of {expected.size} entries {'is' if len(wrong) == 1 else 'are'} off."
-    return f"{some} The one at index {place}, counted from 0: {said}"
+    return f"{some} The {_place(first)}: {said}"
+
+
+def _place(index: tuple[int, ...]) -> str:
+    """Say which entry this is."""
+    if len(index) == 1:
+        return f"{ORDINALS[index[0]] if index[0] < len(ORDINALS) else f'{index[0] + 1}th'} entry"
+    return "entry in row " + ", column ".join(str(i + 1) for i in index)
 
 
 def _off_number(given: float, expected: float, allowed: float) -> str:

@@ -19,14 +19,14 @@ from ..slate import Change, Slate
 from ..state import Lab
 from ..view3d import SurfaceView
 
-__all__ = ["App", "LabApp", "connect"]
+__all__ = ["App", "LabApp", "Page", "connect"]
 
 _STATIC: Final = pathlib.Path(__file__).parent.parent / "static"
 _STYLE: Final = (_STATIC / "studio.css").read_text(encoding="utf-8")
 
 
-class _Page(anywidget.AnyWidget):
-    """What an app needs of the page: accessible names for its parts, and word of the theme."""
+class Page(anywidget.AnyWidget):
+    """What a ``ruledlab`` box needs of its page: names for its parts, its keys, the theme."""
 
     _esm = _STATIC / "names.js"
 
@@ -57,7 +57,7 @@ class App(w.VBox):
     def assemble(self, *parts: Any) -> None:
         """Show the parts, follow the state, and close when the notebook cell is run again."""
         defects = [group.defect for group in self._groups]
-        self._page = _Page()
+        self._page = Page()
         self.children = (w.HTML(f"<style>{_STYLE}</style>"), self._page, *parts, *defects)
         self._page.observe(self._follow_page, "dark")
         self._releases.append(self._page.unobserve_all)

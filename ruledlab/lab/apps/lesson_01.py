@@ -8,7 +8,15 @@ from typing import Final
 import ipywidgets as w
 
 from ...geometry import FormulaError, function
-from ..controls import Group, HistoryControl, NumberControl, Strokes, error_html, plain
+from ..controls import (
+    Group,
+    HistoryControl,
+    NumberControl,
+    Strokes,
+    error_html,
+    plain,
+    readable,
+)
 from ..plots import Limits
 from ..scenes.dual_graph import (
     STEP_SPAN,
@@ -106,13 +114,13 @@ class DualControl(Group):
 
     def _type(self, text: str) -> None:
         try:
-            function(text)
+            meant = readable(text, ("x",), function)
         except FormulaError as error:
             self._refused = self._slate.value.formula
             self.put(self.error, value=error_html(plain(error.message), error.pointer(36)))
             self.put(self.menu, value="")
         else:
-            self._slate.edit("formula", formula=text)
+            self._slate.edit("formula", formula=meant)
 
     def update(self, change: Change) -> None:
         """Follow the slate; a formula that was refused stays to be mended until f changes."""

@@ -19,6 +19,7 @@ from ..controls import (
     TimeControl,
     error_html,
     plain,
+    readable,
 )
 from ..palette import DARK, LIGHT, Theme
 from ..scene import Scene
@@ -117,14 +118,15 @@ class ShapeControl(Group):
         self._motion.edit("a", self._strokes.token("a"), a=a)
 
     def _type(self, name: str, text: str) -> None:
+        word = (FIRST, SECOND)[name == "second"][self._motion.value.kind][1]
         try:
-            vector(text, (FIRST, SECOND)[name == "second"][self._motion.value.kind][1])
+            meant = readable(text, ("t", "a"), lambda typed: vector(typed, word))
         except FormulaError as error:
             self._say(name, plain(str(error)), error.pointer(36))
         except GeometryError as error:
             self._say(name, plain(str(error)))
         else:
-            self._motion.edit(name, **{name: text})
+            self._motion.edit(name, **{name: meant})
 
     def _say(self, name: str, text: str, pointer: str = "") -> None:
         """Show what is wrong beside a formula, which stays in its field to be mended."""

@@ -129,7 +129,7 @@ class SpecialControl(Group):
         super().__init__()
         self._lab = lab
         self.single: tuple[Place, ...] = ()
-        self.note = w.HTML()
+        self.note, self.places = w.HTML(), w.HTML()
         self.buttons = [w.Button(layout=w.Layout(width="auto")) for _ in range(MOST)]
         for index, button in enumerate(self.buttons):
             self.click(button, lambda index=index: lab.move_cursor(self.single[index].t))
@@ -142,6 +142,9 @@ class SpecialControl(Group):
         self.single = places(found)
         self.put(self.note, value=f'<div class="ruledlab-note" role="status">'
                                   f"{found_words(found)}</div>")  # fmt: skip
+        where = ", ".join(f"{place.kind} at t = {place.t:.4f}" for place in self.single)
+        self.put(self.places, value=f'<div class="ruledlab-note">Special rulings: '
+                                    f"{where or 'none'}.</div>")  # fmt: skip
         for index, button in enumerate(self.buttons):
             shown = index < len(self.single)
             self.put(button.layout, display="" if shown else "none")
@@ -233,7 +236,8 @@ class AlongTheRulings(LabApp):
         left = [self.view.widget, self.time.widget, self.numbers.widget]
         right = [self.axis.widget, self.plots.widget, self.special.widget]
         pair = w.HBox([w.VBox(left), w.VBox(right)])
-        chart = w.HBox([self.pad, self.points.widget]).add_class("ruledlab-pair")
+        hand = w.VBox([self.points.widget, self.special.places])
+        chart = w.HBox([self.pad, hand]).add_class("ruledlab-pair")
         folded = w.Accordion([chart, self.words, self.gallery.note])
         folded.titles = (
             "The chart: move the control points",

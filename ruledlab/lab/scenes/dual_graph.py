@@ -265,7 +265,7 @@ def shown_dual(real: float, dual: float) -> str:
     """Return a + ε ā."""
     if not (math.isfinite(real) and math.isfinite(dual)):
         return "undefined"
-    return f"{shown(real)} {'−' if dual < 0 else '+'} ε {shown(abs(dual))}"
+    return f"{shown(real)} {'−' if dual < -ROUNDING else '+'} ε {shown(abs(dual))}"
 
 
 def words(scene: DualScene) -> str:
@@ -275,7 +275,8 @@ def words(scene: DualScene) -> str:
     if scene.lifted.undefined:
         return f"{begin}There is no f(X): {scene.lifted.undefined}."
     real, dual, slope = scene.lifted.value.real, scene.lifted.value.dual, scene.lifted.slope
-    way = "rises" if dual > 0 else "falls" if dual < 0 else "stays level"
+    level = abs(dual) <= ROUNDING
+    way = "stays level" if level else "rises" if dual > 0 else "falls"
     return (
         f"{begin}The point of the graph has the height f(x) = {shown(real)}, its tangent the slope "
         f"f′(x) = {shown(slope)}. Over the step x̄ = {shown(step)} the tangent {way}: "

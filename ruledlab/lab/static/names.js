@@ -21,13 +21,19 @@ const within = (root, selector) => [
   ...root.querySelectorAll(selector),
 ];
 
+const given = new WeakMap(); // parts to the names they have from here
+const followed = new WeakSet();
+
 function name(root) {
   let named = 0;
   const give = (part, text) => {
-    if (!text || part.hasAttribute("aria-label")) return;
+    const has = part.getAttribute("aria-label");
+    if (!text || has === text || (has !== null && has !== given.get(part))) return;
     part.setAttribute("aria-label", text);
+    given.set(part, text);
     named++;
   };
+  for (const label of within(root, ".ruledlab-label")) follow(label);
   for (const part of within(root, ".noUi-handle, input, select"))
     if (![...(part.labels ?? [])].some(said)) give(part, words(part));
   for (const button of within(root, ".widget-play button")) {
@@ -43,6 +49,14 @@ function name(root) {
     named++;
   }
   return named;
+}
+
+/** Name a row's parts anew whenever its label changes. */
+function follow(label) {
+  const [host, row] = [".widget-html", ".ruledlab-row"].map((kind) => label.closest(kind));
+  if (!host || !row || followed.has(host)) return;
+  followed.add(host);
+  new MutationObserver(() => name(row)).observe(host, { childList: true, subtree: true });
 }
 
 /** Make the head of a fold a button. */

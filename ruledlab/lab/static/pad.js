@@ -855,8 +855,8 @@ class View {
   describe(index) {
     if (index >= this.count) return "";
     const [u, v] = this.at(index);
-    const joint = this.twin(index) >= 0 ? `, joined to control point ${this.twin(index) + 1}` : "";
-    return `control point ${index + 1} of ${this.count}, u = ${plain(u)}, v = ${plain(v)}${joint}`;
+    const joint = this.twin(index) >= 0 ? `, joined to control point ${this.twin(index)}` : "";
+    return `control point ${index} of 0 to ${this.count - 1}, u = ${plain(u)}, v = ${plain(v)}${joint}`;
   }
 
   say(text) {

@@ -14,10 +14,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import NoReturn
 
-from ..geometry.checks import GeometryError
-from ..geometry.formula import FormulaError
+from .checks import GeometryError
+from .formula import FormulaError
 
-__all__ = ["Written", "in_formula_notation", "without_label"]
+__all__ = ["Written", "in_formula_notation", "tidied", "without_label"]
 
 _SIGNS = {
     **dict.fromkeys("−–—‐‑‒﹣", "-"),
@@ -123,6 +123,24 @@ def in_formula_notation(
         if it can be read in two ways, or has a letter that is a variable elsewhere.
     """
     return _Writer(text, variables, (0, len(text)) if span is None else span).written()
+
+
+def tidied(text: str, variables: tuple[str, ...] = ()) -> str:
+    """Return a formula in the notation of typed formulas, with its own letters.
+
+    Parameters
+    ----------
+    text, variables
+        as for `in_formula_notation`, at most two variables.
+
+    Raises
+    ------
+    FormulaError
+        as there.
+    """
+    own = dict(zip("uv", variables, strict=False))
+    plain = in_formula_notation(text, variables).text
+    return re.sub(r"\b[uv]\b", lambda found: own.get(found[0], found[0]), plain)
 
 
 # -- tokens ----------------------------------------------------------------------------------------
@@ -237,8 +255,15 @@ class _Writer:
             ways = f"1/(2*{letter}) or (1/2)*{letter}"
             self._fail(token, "a fraction that can be read in two ways", f"write {ways}")
         if token.kind == "name" and self.ends == "number":
-            ways = f"e**(2*{letter}) or e**2*{letter}"
+            base, power = self._raised_just_now()
+            ways = f"{base}**({power}*{letter}) or {base}**{power}*{letter}"
             self._fail(token, "a power that can be read in two ways", f"write {ways}")
+
+    def _raised_just_now(self) -> tuple[str, str]:
+        """Return base and exponent of the power that ends here, as they were typed."""
+        typed = [token.text for token in self.tokens[: self.at - 1]]
+        base = typed[-3] if len(typed) > 2 and typed[-3].isalnum() else "(…)"
+        return base, typed[-1]
 
     def _number(self, token: _Token) -> None:
         self._operand(token)
