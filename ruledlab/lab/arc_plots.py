@@ -63,6 +63,6 @@ def axis_note(length: StrictionLength | None) -> str:
     said = (
         "For each unit of t: κ, κ̄, τ, τ̄."
         if length is None
-        else f"For each unit of s (0 … {length.total:.4g}): κ, κ̄ = sin σ, τ, τ̄ = cos σ."
+        else f"For each unit of s (0 … {length.total:.4g}): κ/s′, κ̄/s′ = sin σ, τ/s′, τ̄/s′ = cos σ."
     )
     return f'<div class="ruledlab-note">{said}</div>'
