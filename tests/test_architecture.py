@@ -49,8 +49,7 @@ LAYERS: tuple[frozenset[str], ...] = tuple(
         " ".join(f"lab.apps.lesson_{n:02d}" for n in range(13)),
         "lab.apps",
         "lab",
-        "exercises.shape exercises.store exercises.draw exercises.verdict "
-        "exercises.tex",
+        "exercises.shape exercises.store exercises.draw exercises.verdict exercises.tex",
         "exercises.answers exercises.kinds.task",
         "exercises.kinds.choose exercises.kinds.number exercises.kinds.formula "
         "exercises.kinds.goal exercises.kinds.sketch",
