@@ -235,6 +235,7 @@ def test_a_typed_number_beyond_the_slider_moves_its_end(bench, typed, expected):
     assert bench.errors() == {}
     control.field.value = "1"
     assert control.slider.value == pytest.approx(1.0)
+    assert (slider.min, slider.max) == control.ends  # and back, or a hand could not use it
 
 
 def test_the_ends_stay_for_numbers_within(bench):

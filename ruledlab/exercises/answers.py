@@ -376,6 +376,8 @@ def _renamed(message: str, variables: tuple[str, ...]) -> str:
     if variables == ("u", "v"):
         return message
     first, last, many = variables[0], variables[-1], ", ".join(variables)
+    meant = f"write it with {' and '.join(variables)}"
+    message = re.sub("write [uv], the (angle from the z-axis|longitude)", meant, message)
     message = message.replace("u, v, pi", f"{many}, pi").replace("u or v", " or ".join(variables))
     message = message.replace(", such as u - v", "").replace(
         " such as u - v", f" such as 2*{first}"

@@ -283,6 +283,14 @@ def walk(draw: Draw) -> Formula:
                 ((0.1, 6.0),),
             ),
             *([inner] if n > 1 else []),
+            known.formula(
+                "rate taken for the distance",
+                f"{a} + {b}*cos({n}*t)",
+                r"This is $w'=\bar v$, how fast the trajectory moves along the rulings; the "
+                "distance is its integral from 0.",
+                ("t",),
+                ((0.1, 6.0),),
+            ),
         ),
         because=rf"After one turn $l=2\pi\cdot{a}$: the wave adds nothing.",
         hints=(

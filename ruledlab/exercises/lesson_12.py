@@ -365,7 +365,7 @@ def within_reach(draw: Draw) -> Choose:
         ),
     )
     return Choose(
-        question="All control points of a closed Bézier curve have "
+        question="All control points of a Bézier curve that closes with C¹ have "
         rf"$0\le u\le\tfrac\pi{width}$ and ${low}\le v\le{high}$. The curve has no double point. "
         r"Its $\bar u,\bar v$ and its degree are unknown. Which of these angles of pitch "
         r"$\lambda$ is possible?",

@@ -246,10 +246,17 @@ class _Order:
 
     def _bare_function(self, token: _Token) -> NoReturn:
         next_one = self.following
-        argument = next_one.text if next_one.kind in ("number", "name") else "…"
+        argument = self._argument_ahead()
         power = "**2" if next_one.text in ("**", "^") else ""
         what = f"'{token.text}' has no argument in brackets"
         raise self.source.error(token.position, what, f"write {token.text}({argument}){power}")
+
+    def _argument_ahead(self) -> str:
+        """Return what seems to be meant: u of sin u, 2*u of sin 2u."""
+        at = self.tokens.index(self.following)
+        number = self.tokens[at : at + 1 + (self.following.kind == "number")]
+        parts = [token.text for token in number if token.kind in ("number", "name")]
+        return "*".join(parts) or "…"
 
     def _operand(self, token: _Token) -> None:
         if not self.wants_operand:

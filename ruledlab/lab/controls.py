@@ -264,6 +264,7 @@ class NumberControl:
         self._group, self._name, self._commit = group, name, commit
         self._whole, self._fixed = whole, fixed
         self._value, self._refused = math.nan, False
+        self.ends = span
         kind = w.IntSlider if whole else w.FloatSlider
         room = w.Layout(flex="1 1 80px", min_width="60px", width="auto")
         self.slider = kind(min=span[0], max=span[1], step=step, readout=False, layout=room)
@@ -281,7 +282,7 @@ class NumberControl:
         group.on(self.field, "value", self._typed)
 
     def show(self, value: float) -> None:
-        """Show a number; the slider's ends move if it lies beyond them."""
+        """Show a number; the slider reaches as far as it needs to while it lies beyond ``ends``."""
         self._value, self._refused = value, False
         span = self._span(value)
         place = self._on_grid(value, **span)
@@ -295,7 +296,7 @@ class NumberControl:
         self.say(None)
 
     def _span(self, value: float) -> dict[str, float]:
-        low, high, step = self.slider.min, self.slider.max, self.slider.step
+        (low, high), step = self.ends, self.slider.step
         return {
             "min": low if value >= low else step * math.floor(value / step),
             "max": high if value <= high else step * math.ceil(value / step),
@@ -342,7 +343,7 @@ class NumberControl:
     def _allowed(self, value: float) -> float:
         if self._whole and value != int(value):
             raise GeometryError(f"{self._name} must be a whole number; got {value:g}")
-        low, high = self.slider.min, self.slider.max
+        low, high = self.ends
         if self._fixed and not low <= value <= high:
             raise GeometryError(
                 f"{self._name} must lie between {low:g} and {high:g}; got {value:g}"

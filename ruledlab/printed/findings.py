@@ -135,7 +135,7 @@ PRINTED: tuple[Finding, ...] = (
     Finding(
         "domain",
         "§3, and Example 2",
-        "whether the curve's point (u, v) lies in the domain of the sphere's chart: 1 or 0",
+        "whether the point (u, v) of the curve is in the domain of the chart: 1 or 0",
         r"\mathcal B=\{(u,v):0\le u\le\pi,\ 0\le v\le 2\pi\}",
         r"\mathcal B=\{(u,v):0\le u\le 2\pi,\ 0\le v\le\pi\}",
         as_printed.domain,

@@ -69,8 +69,8 @@ class _Time(TimeControl):
     def update(self, change: Change) -> None:
         """Follow the state."""
         if change.scene:
-            first, last = self._lab.result.surface.domain
-            self.put(self.t.slider, min=first, max=last, value=self._lab.cursor)
+            self.t.ends = self._lab.result.surface.domain
+            self.t.show(self._lab.cursor)
         super().update(change)
 
 

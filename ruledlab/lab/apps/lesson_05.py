@@ -162,7 +162,7 @@ class Bending(LabApp):
 
     def pick(self, t: float, w: float) -> None:
         """Look at a point of the surface."""
-        self.spot.edit("pick", t=t, w=w)
+        self.spot.edit("pick", t=round(t, 4), w=round(w, 4))  # a hand is no more exact
 
     def update(self, change: Change) -> None:
         """Follow the lab: draw, and remember where it is."""

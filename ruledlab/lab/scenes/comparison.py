@@ -67,7 +67,7 @@ NAMES: dict[str, tuple[tuple[str, str], ...]] = {
 def title(entry: Finding) -> str:
     """Return a finding's number, place and short name, as the menu has it."""
     number = PRINTED.index(entry) + 1
-    quantity = entry.quantity.split(", as")[0].split(" the curve's")[0]
+    quantity = entry.quantity.split(", as")[0].split(": ")[0]
     return f"{number}. {entry.place}: {quantity}"
 
 
