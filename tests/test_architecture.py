@@ -35,7 +35,7 @@ LAYERS: tuple[frozenset[str], ...] = tuple(
         "__init__ printed design pair lab.palette lab.shaders lab.glyphs",
         "export lab.scene lab.overlay lab.signs lab.colouring lab.meshes",
         "lab.textures",
-        "lab.sight",
+        "lab.sight lab.flat",
         "lab.scenes lab.scenes.along lab.scenes.bend lab.scenes.line_pair lab.scenes.congruence "
         "lab.scenes.shrinking",
         "lab.scenes.congruence_chart lab.scenes.congruence_numbers lab.scenes.straightened",

@@ -648,6 +648,29 @@ def test_a_number_moved_by_hand_keeps_the_direction_of_the_run():
     assert been[-1] == pytest.approx(0.49)
 
 
+def test_who_takes_the_number_pauses_the_run_until_it_is_pressed_again():
+    player, been = run_of((-1.0, 1.0), 0.5)
+    player.widget.set_state({"playing": True})
+    player.widget.set_state({"value": 302})
+    player.show(-0.5, (-1.0, 1.0))
+    assert not player.widget.playing
+    player.widget.set_state({"value": 304})  # it was on its way
+    assert been == [pytest.approx(0.51)]
+    assert player.widget.value == 100
+    player.widget.set_state({"playing": True})
+    player.widget.set_state({"value": 102})
+    assert been == [pytest.approx(0.51), pytest.approx(-0.49)]
+    player.widget.set_state({"playing": False, "value": 104})  # the last step of its own run
+    assert been[-1] == pytest.approx(-0.48)
+
+
+def test_a_number_that_stays_does_not_pause_its_run():
+    player, _ = run_of((-1.0, 1.0), 0.5)
+    player.widget.set_state({"playing": True})
+    player.show(0.5, (-1.0, 1.0))
+    assert player.widget.playing
+
+
 def test_a_number_beyond_the_ends_runs_back_from_the_end():
     player, been = run_of((-1.0, 1.0), 50.0)
     next(ticks(player.widget))

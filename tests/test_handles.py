@@ -1,4 +1,4 @@
-"""Handles in a picture of space: where they are seen, and what is asked for by moving them."""
+"""Handles in a picture: where they are seen, and what is asked for by moving them."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ pytest.importorskip("pythreejs")
 
 import ipywidgets
 
+from ruledlab.lab.flat import Flat
 from ruledlab.lab.handles import Grip, Handles
 from ruledlab.lab.palette import DARK, LIGHT
 from ruledlab.lab.sight import FIELD_OF_VIEW, Eye
@@ -119,6 +120,55 @@ def test_the_handles_follow_the_camera(handles):
     (after,) = handles.picture["handles"]
     assert after != before
     assert (after["x"], after["y"]) == pytest.approx((300, 200), abs=0.01)
+
+
+# -- over a drawing ----------------------------------------------------------------------------
+
+DRAWING = Flat((500.0, 300.0), (40.0, 10.0), (450.0, 260.0), (-2.0, 4.0), (-1.0, 0.5))
+
+
+@given(st.floats(-2, 4), st.floats(-1, 0.5))
+def test_a_place_of_a_drawing_there_and_back(x, y):
+    across, down, depth = DRAWING.seen(np.array([x, y, 0.0]))
+    assert 40 - 1e-9 <= across <= 490 + 1e-9
+    assert 10 - 1e-9 <= down <= 270 + 1e-9
+    assert depth == 1.0
+    np.testing.assert_allclose(DRAWING.at(across, down, depth), [x, y, 0.0], atol=1e-12)
+
+
+def test_up_in_a_drawing_is_up_on_the_page():
+    corner, foot = DRAWING.seen(np.array([-2.0, 0.5, 0.0])), DRAWING.seen(np.array([4.0, -1.0, 0]))
+    assert corner[:2] == (40, 10)
+    assert foot[:2] == (490, 270)
+
+
+@pytest.mark.parametrize(
+    "place", [(4.1, 0), (-2.1, 0), (0, 0.6), (0, -1.1), (0, np.nan), (np.nan, 0)]
+)
+def test_what_is_not_in_the_plot_has_no_handle(place):
+    made = Handles()
+    made.draw([Grip(np.array([*place, 0.0]), "point", "tau", "it")], DRAWING)
+    assert (made.picture["handles"][0]["x"], made.picture["handles"][0]["y"]) == (None, None)
+    made.close()
+
+
+def test_a_handle_of_a_drawing_asks_for_a_place_on_its_axes():
+    made, asked = Handles(), []
+    made.on_grasp(asked.append)
+    made.motion = ["view", 1, 0, 40, 270]  # before anything is drawn
+    assert asked == []
+    made.draw([Grip(np.zeros(3), "point", "cursor", "it")], DRAWING)
+    assert made.picture["size"] == [500, 300]
+    made.motion = ["view", 2, 0, 40, 270]
+    np.testing.assert_allclose(asked[0].place, [-2.0, -1.0, 0.0])
+    made.close()
+
+
+def test_a_drawing_has_to_be_told():
+    made = Handles()
+    with pytest.raises(ValueError, match="`sight`"):
+        made.draw([])
+    made.close()
 
 
 def test_it_has_the_colours_of_both_themes():

@@ -297,6 +297,53 @@ def test_a_stroke_is_one_step_of_undo(app: DualNumbers) -> None:
     assert app.control.x.field.value == "0.2"
 
 
+def pull(app: DualNumbers, index: int, to: float, drag: int = 1) -> None:
+    """Drag a handle to where x is `to`, whatever the height."""
+    window = 600 / (WINDOW.high - WINDOW.low)
+    app.handles.motion = ["view", drag, index, 46 + (to - WINDOW.low) * window, 10.0]
+
+
+def test_the_handles_stand_on_the_drawn_dots(app: DualNumbers) -> None:
+    tree = ElementTree.fromstring(app.picture.value)
+    for kind, handle in zip(("point", "tip"), app.handles.picture["handles"], strict=True):
+        dot = part(tree, kind)
+        assert (handle["x"], handle["y"]) == pytest.approx(
+            (dot["cx"] + 46, dot["cy"] + 8), abs=0.02
+        )
+    assert tree.get("viewBox") == "-46 -8 {:g} {:g}".format(*app.handles.picture["size"])
+
+
+def test_the_point_moves_x_and_the_tip_moves_the_step(app: DualNumbers) -> None:
+    pull(app, 0, -0.74)
+    assert app.slate.value == DualPoint("x**2", -0.75, 0.5)  # in the sliders' steps
+    pull(app, 0, -0.02)
+    assert app.slate.value.x == 0.0
+    pull(app, 1, -0.62, drag=2)
+    assert app.slate.value == DualPoint("x**2", 0.0, -0.6)
+    assert (app.control.x.field.value, app.control.x_bar.field.value) == ("0", "-0.6")
+    app.history.undo.click()
+    app.history.undo.click()  # a drag is one step
+    assert app.slate.value == DualPoint("x**2", 1.5, 0.5)
+
+
+def test_a_handle_stays_within_the_ends_of_its_slider(app: DualNumbers) -> None:
+    pull(app, 0, 9.0)
+    pull(app, 1, -9.0)
+    assert (app.slate.value.x, app.slate.value.x_bar) == (X_SPAN[1], STEP_SPAN[0])
+
+
+@pytest.mark.parametrize("formula", ["abs(x)", "log(x)", "1/x"])
+def test_where_there_is_no_value_there_is_no_tip_but_a_way_out(
+    app: DualNumbers, formula: str
+) -> None:
+    app.control.typed.value = formula
+    pull(app, 0, 0.0)
+    (only,) = app.handles.picture["handles"]
+    assert only["x"] is not None
+    pull(app, 0, 1.0)
+    assert len(app.handles.picture["handles"]) == 2
+
+
 def test_an_undefined_value_is_named_and_gone_again(app: DualNumbers) -> None:
     app.control.menu.value = "1/x"
     app.control.x.slider.value = 0.0

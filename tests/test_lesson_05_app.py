@@ -188,6 +188,50 @@ def test_a_pick_moves_t_and_w_and_is_one_step(app):
     assert (app.lab.cursor, app.spot.value.w) == (0.2, 0.75)
 
 
+def dragged(app, handles, index, by, drag=1):
+    """Move a handle by pixels; return where it was and is."""
+    old = handles.picture["handles"][index]
+    handles.motion = ["view", drag, index, old["x"] + by[0], old["y"] + by[1]]
+    return old, handles.picture["handles"][index]
+
+
+def test_the_point_is_dragged_over_the_surface(app):
+    start = app.spot.value
+    old, new = dragged(app, app.point, 0, (-40, 15))
+    assert (new["x"], new["y"]) == pytest.approx((old["x"] - 40, old["y"] + 15), abs=0.5)
+    spot, surface = app.spot.value, app.lab.result.surface
+    place = surface.striction(spot.t) + spot.w * surface.line(spot.t).direction
+    assert app.view.eye.seen(place)[:2] == pytest.approx((new["x"], new["y"]), abs=0.1)
+    dragged(app, app.point, 0, (10, 10))
+    app.history.undo.click()  # the whole drag is one step
+    assert app.spot.value == start
+
+
+def test_the_dots_of_the_graph_move_w(app):
+    tree = ET.fromstring(app.picture.value)
+    dots = [dot.attrib for dot in tree.iter("circle")]
+    handles = app.dots.picture["handles"]
+    assert app.dots.picture["size"] == [float(n) for n in tree.get("viewBox").split()[2:]]
+    for dot, handle in zip(dots, handles, strict=True):
+        assert (handle["x"], handle["y"]) == pytest.approx(
+            (float(dot["cx"]), float(dot["cy"])), abs=0.06
+        )
+    assert [handle["label"][-1] for handle in handles] == ["θ", "K", "H"]
+    per_length = (440 - 58 - 14) / app.spot.value.design.length
+    dragged(app, app.dots, 1, (0.35 * per_length, 77))
+    assert app.spot.value.w == pytest.approx(-0.25, abs=2e-4)
+    dragged(app, app.dots, 2, (900, 0))
+    assert app.spot.value.w == 1.0  # the end of the ruling
+    assert app.spot.value.t == 0.68
+
+
+def test_where_there_is_no_plane_the_graph_has_no_handles(app):
+    app.gallery.menu.value = "plucker_conoid"
+    app.pick(0.125, 0.0)
+    assert app.dots.picture["handles"] == []
+    assert app.point.picture["handles"][0]["x"] is not None
+
+
 def test_undo_leads_back_through_surfaces_and_rulings(app):
     first = shown(app)
     app.time.t.field.value = "0.25"
@@ -304,8 +348,10 @@ def test_both_players_at_once_and_the_hand_between_are_one_step(app):
     app.place.play.set_state({"playing": True, "value": 100})
     app.time.play.set_state({"value": 282})
     app.place.w.slider.value = 0.5
-    app.place.play.set_state({"value": 302})
-    assert (app.spot.value.t, app.spot.value.w) == (0.705, 0.51)
+    app.time.play.set_state({"value": 284})
+    app.place.play.set_state({"value": 302})  # too late: who takes w has paused it
+    assert (app.spot.value.t, app.spot.value.w) == (0.71, 0.5)
+    assert app.time.play.playing and not app.place.play.playing
     app.history.undo.click()
     assert app.spot.value == start and not app.spot.can_undo
     assert app.lab.cursor == start.t

@@ -584,6 +584,66 @@ def test_what_lies_behind_the_eye_is_not_hit():
     assert sight.first_hit(hyperboloid(), eye, way) is None
 
 
+# ---- a hand on the surface
+
+
+def held(key: str) -> tuple[Scene, sight.Eye]:
+    """A surface of the gallery, w measured from the striction point, and who looks at it."""
+    lab, view = Lab(example(key).with_(base="striction")), v3.SurfaceView(600, 400)
+    view.draw(lab.result.scene, lab.mark)
+    view.reset_view(lab.result.scene)
+    eye = view.eye
+    view.close()
+    return lab.result.scene, eye
+
+
+def pixel(scene: Scene, eye: sight.Eye, row: int, w: float) -> tuple[float, float]:
+    return eye.seen(scene.base[row] + w * scene.direction[row])[:2]
+
+
+@pytest.mark.parametrize("key", ["right_helicoid", "hyperboloid", "example_1", "example_2", "cone"])
+@pytest.mark.parametrize("part", [0.15, 0.4, 0.85])
+def test_a_hand_takes_the_place_under_the_pointer_on_its_own_sheet(key, part):
+    scene, eye = held(key)
+    row, w = int(part * (len(scene.t) - 1)), 0.4 * scene.w[1]
+    x, y = pixel(scene, eye, row, w)
+    start = (scene.t[row] - 0.01 * np.ptp(scene.t), w + 0.05)
+    t, found = sight.follow(scene, eye, start, x, y)
+    assert (t, found) == pytest.approx((scene.t[row], w), abs=2e-3 * np.ptp(scene.t))
+
+
+@pytest.mark.parametrize(("key", "turn"), [("example_2", 1.0), ("moebius", -1.0)])
+def test_a_hand_goes_over_the_seam(key, turn):
+    scene, eye = held(key)
+    w = 0.5 * scene.w[1]
+    x, y = pixel(scene, eye, 3, turn * w)
+    t, found = sight.follow(scene, eye, (float(scene.t[-3]), w), x, y)
+    assert (t, found) == pytest.approx((scene.t[3], turn * w), abs=1e-3 * np.ptp(scene.t))
+    x, y = pixel(scene, eye, -4, turn * w)
+    t, found = sight.follow(scene, eye, (float(scene.t[2]), w), x, y)
+    assert (t, found) == pytest.approx((scene.t[-4], turn * w), abs=1e-3 * np.ptp(scene.t))
+
+
+def test_a_hand_stays_on_an_open_surface():
+    scene, eye = held("right_helicoid")
+    x, y = pixel(scene, eye, -1, float(scene.w[1]))
+    t, w = sight.follow(scene, eye, (float(scene.t[-2]), float(scene.w[1])), x + 400, y + 5)
+    assert scene.t[0] <= t <= scene.t[-1]
+    assert scene.w[0] <= w <= scene.w[1]
+
+
+def test_a_hand_passes_rulings_that_are_undefined():
+    scene, eye = held("hyperboloid")
+    base = scene.base.copy()
+    base[50:52] = np.nan
+    x, y = pixel(scene, eye, 54, 0.3)
+    holed = dataclasses.replace(scene, base=base)
+    t, w = sight.follow(holed, eye, (float(scene.t[48]), 0.3), x, y)
+    assert (t, w) == pytest.approx((scene.t[54], 0.3), abs=2e-3 * np.ptp(scene.t))
+    base[:] = np.nan
+    assert sight.follow(dataclasses.replace(scene, base=base), eye, (0.0, 0.3), x, y) is None
+
+
 def hits(eye, goal) -> list[dict[str, object]]:
     """Return what the page reports: where a line of sight meets the two far boxes."""
     eye, way = np.array(eye), (np.array(goal) - eye) / np.linalg.norm(np.array(goal) - eye)

@@ -590,6 +590,8 @@ class FieldControl(Group):
 class Player:
     """Buttons that let a number run by itself, in equal steps between two ends.
 
+    Who moves the number meanwhile takes it out of the run, which pauses.
+
     Parameters
     ----------
     group
@@ -608,15 +610,21 @@ class Player:
         self, group: Group, words: str, commit: Callable[[float], Any], *, back: bool = False
     ) -> None:
         self._group, self._commit, self._span = group, commit, (0.0, 1.0)
-        self._asking = False
+        self._asking, self._taken, self._shown = False, False, 0.0
         last = 2 * STEPS if back else STEPS
         self.widget = w.Play(max=last, step=self.PACE, interval=50, show_repeat=True)
         self.widget.tooltip = words
         group.on(self.widget, "value", self._played)
+        group.on(self.widget, "playing", self._pressed)
 
     def show(self, value: float, span: tuple[float, float]) -> None:
         """Let the next run go on from this number, in the direction of the last one."""
-        self._span = start, end = span
+        moved = abs(value - self._shown) > 1e-9 * (span[1] - span[0])
+        self._shown, self._span = value, span
+        if moved and self.widget.playing and not self._asking:
+            self._taken = True
+            self._group.put(self.widget, playing=False)
+        start, end = span
         part = min(max((value - start) / (end - start), 0.0), 1.0)
         # Between two steps the button would stop before the end, and never start from there.
         step = self.PACE * round(part * STEPS / self.PACE)
@@ -628,7 +636,13 @@ class Player:
         """Whether a run is on; its last number may come in one message with word of its end."""
         return self._asking or self.widget.playing
 
+    def _pressed(self, playing: bool) -> None:
+        self._taken = self._taken and not playing
+
     def _played(self, step: int) -> None:
+        if self._taken:  # a step that was on its way when the run was paused
+            self.show(self._shown, self._span)
+            return
         start, end = self._span
         part = STEPS - abs(STEPS - step)
         self._asking = True

@@ -1,8 +1,9 @@
-"""Handles over a picture of space: places of it that the reader takes and moves in its plane.
+"""Handles over a picture: places of it that the reader takes and moves in its plane.
 
-The handles lie over the canvas of a `SurfaceView` and follow its camera. A handle that is dragged
-stays as far from the eye as it was. What the reader asks for arrives in Python as a `Grasp`; the
-browser moves no handle before Python has answered with `Handles.draw`.
+The handles lie over the canvas of a `SurfaceView` and follow its camera, or over a drawing, whose
+axes are told by a `Flat`. A handle that is dragged stays as far from the eye as it was. What the
+reader asks for arrives in Python as a `Grasp`; the browser moves no handle before Python has
+answered with `Handles.draw`.
 """
 
 from __future__ import annotations
@@ -11,20 +12,20 @@ import math
 import pathlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, Protocol
 
 import anywidget
 import traitlets
 
 from ..geometry.checks import Array
 from .palette import DARK, LIGHT, Theme
-from .sight import NEAREST, Eye
+from .sight import NEAREST
 from .view3d import SurfaceView
 
-__all__ = ["Grasp", "Grip", "Handles"]
+__all__ = ["Grasp", "Grip", "Handles", "Sight"]
 
 _STATIC: Final = pathlib.Path(__file__).parent / "static"
-_COLOURS: Final = ("kappa", "tau", "sigma", "delta")
+_COLOURS: Final = ("kappa", "tau", "sigma", "delta", "cursor")
 
 
 def _style(theme: Theme) -> str:
@@ -34,9 +35,23 @@ def _style(theme: Theme) -> str:
     return "".join(f"{page}.ruledlab-hue.is-{n}{{fill:{c};color:{c}}}" for n, c in colours.items())
 
 
+class Sight(Protocol):
+    """How the places of a picture are seen in it: an `Eye` or a `Flat`."""
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height of the picture, in the unit of `seen`."""
+
+    def seen(self, point: Array) -> tuple[float, float, float]:
+        """Return where a point is, from the upper left corner, and its depth; 0 is out of sight."""
+
+    def at(self, x: float, y: float, depth: float) -> Array:
+        """Return the point at a place of the picture, in a given depth."""
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Grip:
-    """A place of space that can be taken.
+    """A place of a picture that can be taken.
 
     Attributes
     ----------
@@ -76,12 +91,13 @@ class Grasp:
 
 
 class Handles(anywidget.AnyWidget):
-    """Handles in the picture of a view; a box with the class ``ruledlab-space`` holds both.
+    """Handles in a picture; a box with the class ``ruledlab-space`` holds both.
 
     Parameters
     ----------
     view
-        the picture under the handles; its camera is followed.
+        the picture under the handles, whose camera is followed; None over a drawing, which is an
+        SVG with the role ``img``.
     """
 
     _esm = _STATIC / "handles.js"
@@ -90,20 +106,23 @@ class Handles(anywidget.AnyWidget):
     picture = traitlets.Dict().tag(sync=True)
     motion: traitlets.List[Any] = traitlets.List().tag(sync=True, echo_update=False)
 
-    def __init__(self, view: SurfaceView) -> None:
+    def __init__(self, view: SurfaceView | None = None) -> None:
         self._view = view
         self._grips: tuple[Grip, ...] = ()
+        self._sight: Sight | None = None
         self._listeners: list[Callable[[Grasp], None]] = []
         super().__init__()
         self.observe(self._asked, "motion")
-        self._unfollow = view.on_turn(lambda: self.draw(self._grips))
+        self._unfollow = None if view is None else view.on_turn(lambda: self.draw(self._grips))
 
-    def draw(self, grips: Sequence[Grip]) -> None:
-        """Show handles in place of those shown before."""
+    def draw(self, grips: Sequence[Grip], sight: Sight | None = None) -> None:
+        """Show handles in place of those shown before; over a drawing ``sight`` is needed."""
         self._grips = tuple(grips)
-        eye = self._view.eye
-        handles = [_handle(grip, eye) for grip in self._grips]
-        self.picture = {"size": list(eye.size), "handles": handles}
+        self._sight = self._view.eye if self._view is not None else sight
+        if self._sight is None:
+            raise ValueError("handles over a drawing need its `sight`: pass a Flat")
+        handles = [_handle(grip, self._sight) for grip in self._grips]
+        self.picture = {"size": list(self._sight.size), "handles": handles}
 
     def on_grasp(self, callback: Callable[[Grasp], None]) -> Callable[[], None]:
         """Call back with each `Grasp`; return the function that ends this."""
@@ -112,7 +131,8 @@ class Handles(anywidget.AnyWidget):
 
     def close(self) -> None:
         """Leave the camera alone and remove the handles from every page."""
-        self._unfollow()
+        if self._unfollow is not None:
+            self._unfollow()
         self._listeners.clear()
         self.unobserve_all()
         self.layout.close()
@@ -121,16 +141,15 @@ class Handles(anywidget.AnyWidget):
     def _asked(self, change: Mapping[str, Any]) -> None:
         match change["new"]:
             case [str(view), int(drag), int(index), float() | int() as x, float() | int() as y] if (
-                0 <= index < len(self._grips) and math.isfinite(x) and math.isfinite(y)
+                self._sight and 0 <= index < len(self._grips) and math.isfinite(x + y)
             ):
-                eye = self._view.eye
-                *_, depth = eye.seen(self._grips[index].place)
-                place = eye.at(float(x), float(y), depth)
+                *_, depth = self._sight.seen(self._grips[index].place)
+                place = self._sight.at(float(x), float(y), depth)
                 for listener in tuple(self._listeners):
                     listener(Grasp(index, place, (view, drag)))
 
 
-def _handle(grip: Grip, eye: Eye) -> dict[str, Any]:
-    x, y, depth = eye.seen(grip.place)
+def _handle(grip: Grip, sight: Sight) -> dict[str, Any]:
+    x, y, depth = sight.seen(grip.place)
     at = (round(x, 2), round(y, 2)) if depth > NEAREST else (None, None)
     return {"kind": grip.kind, "colour": grip.colour, "label": grip.label, "x": at[0], "y": at[1]}

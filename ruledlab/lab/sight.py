@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
+from scipy import optimize
 
 from ruledlab.geometry.checks import Array
 from ruledlab.lab.scene import Scene
@@ -18,6 +19,7 @@ __all__ = [
     "azimuth_for",
     "distance_to_see",
     "first_hit",
+    "follow",
     "line_of_sight",
     "looking",
     "outline",
@@ -192,3 +194,57 @@ class Eye:
         place = np.array([*aside, -self._scale]) * depth / self._scale
         there: Array = self.position + place @ self._axes
         return there
+
+
+# -- a hand on the surface -------------------------------------------------------------------------
+
+
+def follow(
+    scene: Scene, eye: Eye, start: tuple[float, float], x: float, y: float
+) -> tuple[float, float] | None:
+    """Return the (t, w) on the same sheet as ``start`` that is seen nearest to (x, y).
+
+    Where several sheets lie behind each other, a hand stays on the one it holds. A closed surface
+    is followed over its seam.
+
+    Returns
+    -------
+    (t, w), or None where no two rulings are defined.
+    """
+    t, base, direction, turn = _wound(scene)
+    if len(t) < 2:
+        return None
+    low, high = ends_of(scene)
+
+    def off(place: Array) -> Array:
+        b, d = (_between(place[0], t, rows) for rows in (base, direction))
+        seen = eye.seen(b + place[1] * d)
+        return np.array([seen[0] - x, seen[1] - y])
+
+    begin = np.clip(start, (t[0], low), (t[-1], high))
+    found = optimize.least_squares(
+        off, begin, bounds=((t[0], low), (t[-1], high)), x_scale=(np.ptp(scene.t), high - low)
+    )
+    rounds = math.floor((found.x[0] - scene.t[0]) / np.ptp(scene.t)) if scene.closed else 0
+    back = turn if rounds % 2 else 1.0
+    return float(found.x[0] - rounds * np.ptp(scene.t)), float(back * found.x[1])
+
+
+def _between(t: float, places: Array, rows: Array) -> Array:
+    return np.array([np.interp(t, places, column) for column in rows.T])
+
+
+def _wound(scene: Scene) -> tuple[Array, Array, Array, float]:
+    """Return t, points and directions of the rulings, those of a closed surface three times round.
+
+    The last value is −1 where the rulings come back reversed, else 1.
+    """
+    t, base, direction, turn = scene.t, scene.base, scene.direction, 1.0
+    if scene.closed:
+        turn = math.copysign(1.0, float(direction[0] @ direction[-1]))
+        once, again = t[:-1], np.ptp(t)
+        t = np.concatenate([once - again, once, t + again])
+        base = np.concatenate([base[:-1], base[:-1], base])
+        direction = np.concatenate([turn * direction[:-1], direction[:-1], turn * direction])
+    good = finite(base, direction)
+    return t[good], base[good], direction[good], turn

@@ -478,6 +478,25 @@ class NotebookPage:
         self.page.mouse.move(x + by[0], y + by[1], steps=steps)
         self.page.mouse.up()
 
+    def handle(self, name: str) -> tuple[float, float]:
+        """Where the middle of a handle over a picture is on the page."""
+        touch = self.page.get_by_role("button", name=name).first.locator(".rl-touch")
+        touch.scroll_into_view_if_needed()
+        box = touch.bounding_box()
+        assert box is not None
+        return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+    def pull(self, name: str, by: tuple[float, float]) -> tuple[float, float]:
+        """Drag a handle; return how far it stays behind the pointer."""
+        x, y = self.handle(name)
+        self.page.mouse.move(x, y)
+        self.page.mouse.down()
+        self.page.mouse.move(x + by[0], y + by[1], steps=8)
+        self.page.wait_for_timeout(400)
+        now = self.handle(name)
+        self.page.mouse.up()
+        return now[0] - x - by[0], now[1] - y - by[1]
+
     def download(self, button: str | Locator) -> tuple[str, bytes]:
         """Press a button that saves a file; return the file's name and content."""
         with self.page.expect_download() as waiting:

@@ -24,6 +24,18 @@ def test_lesson_01_lives(lab: LabSession) -> None:
         assert page.page.get_by_role("img", name="at X = 1.55 + ε 0.5").count() == 1
         assert "2.4025 + ε 1.55" in page.page.locator(".ruledlab-numbers").first.inner_text()
 
+        picture = page.wait_still(PICTURE)
+        behind, _ = page.pull("x, the point of the graph", (-80, 0))
+        assert abs(behind) < 3  # it goes in steps of 0.05
+        page.wait_change(picture, PICTURE)
+        undo = page.page.get_by_role("button", name="undo").first
+        undo.click()
+        page.wait_same(picture, PICTURE)
+        behind, _ = page.pull("x̄, the tip", (-60, 0))
+        assert abs(behind) < 3
+        undo.click()
+        page.wait_same(picture, PICTURE)
+
         field = page.page.get_by_role("textbox", name="f(x), a formula in x").first
         field.fill("1/2x")
         field.press("Enter")

@@ -13,24 +13,6 @@ ANSWER = (
 )
 
 
-def middle(page: NotebookPage, name: str) -> tuple[float, float]:
-    """Where a handle is on the page."""
-    box = page.page.get_by_role("button", name=name).locator(".rl-touch").bounding_box()
-    assert box is not None
-    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-
-
-def pull(page: NotebookPage, name: str, by: tuple[float, float]) -> None:
-    """Drag a handle; it has to follow the pointer."""
-    x, y = middle(page, name)
-    page.page.mouse.move(x, y)
-    page.page.mouse.down()
-    page.page.mouse.move(x + by[0], y + by[1], steps=8)
-    page.page.wait_for_timeout(400)
-    assert middle(page, name) == pytest.approx((x + by[0], y + by[1]), abs=2)
-    page.page.mouse.up()
-
-
 def turn(page: NotebookPage) -> None:
     """Drag beside all handles: the picture is turned."""
     box = page.locator(THREE).bounding_box()
@@ -53,23 +35,23 @@ def test_two_lines_are_moved_and_an_exercise_is_answered(lab: LabSession) -> Non
         second = page.wait_still(THREE, quiet=1.0)  # all ten steps
         assert page.locator(PAIR).inner_text() != before
 
-        at = middle(page, "given point of line B")
-        pull(page, "given point of line B", (40, -30))
+        at = page.handle("given point of line B")
+        assert page.pull("given point of line B", (40, -30)) == pytest.approx((0, 0), abs=2)
         third = page.wait_change(second, THREE)
         undo = page.page.get_by_role("button", name="undo").first
         undo.click()  # the whole drag is one step
         page.wait_same(second, THREE)
-        assert middle(page, "given point of line B") == pytest.approx(at, abs=0.5)
+        assert page.handle("given point of line B") == pytest.approx(at, abs=0.5)
         page.page.get_by_role("button", name="direction of line A").focus()
         page.page.keyboard.press("ArrowUp")
         turned = page.wait_change(second, THREE)
         assert turned != third
 
-        x, y = middle(page, "direction of line A")
+        x, y = page.handle("direction of line A")
         turn(page)  # the handles are where the lines are now
         page.wait_change(turned, THREE)
         page.page.wait_for_timeout(600)
-        assert middle(page, "direction of line A") != pytest.approx((x, y), abs=3)
+        assert page.handle("direction of line A") != pytest.approx((x, y), abs=3)
 
         page.page.get_by_role("combobox", name="positions of two lines").select_option("parallel")
         page.page.get_by_text("no single common perpendicular").first.wait_for()

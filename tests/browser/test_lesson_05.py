@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from .session import THREE, LabSession
 from .test_lessons import LESSONS, in_sight, run_whole
 
@@ -43,6 +45,12 @@ def test_the_plane_moves_and_an_exercise_is_answered(lab: LabSession) -> None:
         page.page.get_by_role("button", name="undo").click()
         page.page.locator(f"{GRAPH}[aria-label*='At w = −0.5,']").wait_for()
         page.screenshot("lesson-05")
+        still = page.wait_still(THREE)
+        assert page.pull("the point looked at", (-30, 12)) == pytest.approx((0, 0), abs=2)
+        moved = page.wait_change(still, THREE)
+        behind, _ = page.pull("w, on the curve of K", (40, 0))
+        assert behind == pytest.approx(0, abs=2)
+        page.wait_change(moved, THREE)
         card = page.page.locator(".ruledlab-exercise").first
         card.scroll_into_view_if_needed()
         field = card.locator(".ruledlab-field input")

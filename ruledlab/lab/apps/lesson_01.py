@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import html
+import math
 from typing import Final
 
 import ipywidgets as w
+import numpy as np
 
 from ...geometry import FormulaError, function
 from ..controls import (
@@ -17,6 +19,7 @@ from ..controls import (
     plain,
     readable,
 )
+from ..handles import Grasp, Grip, Handles
 from ..plots import Limits
 from ..scenes.dual_graph import (
     STEP_SPAN,
@@ -25,6 +28,7 @@ from ..scenes.dual_graph import (
     DualPoint,
     DualScene,
     dual_scene,
+    flat,
     height_limits,
     picture,
     readout,
@@ -48,6 +52,10 @@ MENU: Final = (
 )
 
 
+SNAP: Final = 0.05
+"""A handle moves in the sliders' steps: so 0, where many functions have no slope, can be met."""
+
+
 FORMULA_SET: Final = ("formula", "reset")
 """Sources that put a formula in place: what was typed wrong before is gone."""
 
@@ -69,10 +77,26 @@ def dual_numbers(formula: str = "x**2", x: float = 1.5, x_bar: float = 0.5) -> D
 
 
 KEY: Final = (
-    '<div class="ruledlab-note">Heavy lines: the <span class="step-word">step x̄</span> and the '
+    '<div class="ruledlab-note">Drag either dot: the golden one moves x, the orange one x̄. '
+    'Heavy lines: the <span class="step-word">step x̄</span> and the '
     '<span class="rise-word">rise x̄ f′(x)</span> along the tangent. Hollow ring: the ordinary '
     "value f(x + x̄), which a dual number never asks for.</div>"
 )
+
+
+def grips(scene: DualScene) -> tuple[Grip, ...]:
+    """Return the handles: the point of the graph moves x, the tip of the tangent moves x̄.
+
+    A point that is not there is taken where it would stand on the axis.
+    """
+    x, step, lifted = scene.point.x, scene.point.x_bar, scene.lifted
+    real = float(lifted.value.real)
+    height = real if math.isfinite(real) else 0.0
+    made = [Grip(np.array([x, height, 0.0]), "point", "cursor", "x, the point of the graph")]
+    if not lifted.undefined:
+        tip = np.array([x + step, scene.tip, 0.0])
+        made.append(Grip(tip, "point", "tau", "x̄, the tip of the step along the tangent"))
+    return tuple(made)
 
 
 class DualControl(Group):
@@ -110,7 +134,16 @@ class DualControl(Group):
         def commit(value: float) -> None:
             self._slate.edit(entry, self._strokes.token(entry), **{entry: value})
 
-        return NumberControl(self, label, name, span, 0.05, commit, fixed=True)
+        return NumberControl(self, label, name, span, SNAP, commit, fixed=True)
+
+    def grasp(self, grasp: Grasp) -> None:
+        """Move x or x̄ to where its handle is wanted."""
+        entry, (low, high), start = (
+            ("x", X_SPAN, 0.0),
+            ("x_bar", STEP_SPAN, self._slate.value.x),
+        )[grasp.index]
+        to = round(round((float(grasp.place[0]) - start) / SNAP) * SNAP, 10)
+        self._slate.edit(entry, ("handle", *grasp.drag), **{entry: min(max(to, low), high)})
 
     def _type(self, text: str) -> None:
         try:
@@ -154,13 +187,19 @@ class DualNumbers(App):
         self.formula = w.HTMLMath()
         super().__init__(slate)
         self.control, self.history = DualControl(slate), HistoryControl(slate)
+        self.handles = Handles()
+        self._releases += [self.handles.close, self.handles.on_grasp(self._grasp)]
         self._groups = [self.control, self.history]
         side = [self.history.widget, self.control.widget, self.formula, self.numbers, self.words]
-        left = w.VBox([self.picture, w.HTML(KEY)], layout=w.Layout(flex="3 1 340px"))
+        stage = w.Box([self.picture, self.handles]).add_class("ruledlab-space")
+        left = w.VBox([stage, w.HTML(KEY)], layout=w.Layout(flex="3 1 340px"))
         pair = w.HBox([left, w.VBox(side, layout=w.Layout(flex="2 1 320px"))]).add_class(
             "ruledlab-pair"
         )
         self.assemble(w.HTML(STYLE), pair)
+
+    def _grasp(self, grasp: Grasp) -> None:
+        self.control.guard(lambda: self.control.grasp(grasp))
 
     def update(self, change: Change) -> None:
         """Draw what changed; the axis of heights begins anew with another function."""
@@ -170,6 +209,7 @@ class DualNumbers(App):
         present = self._limits if self._drawn == scene.f.text else None
         self._limits, self._drawn = height_limits(scene, present), scene.f.text
         self.picture.value = picture(scene, self._limits)
+        self.handles.draw(grips(scene), flat(self._limits))
         self.numbers.value = readout(scene)
         self.formula.value = f"$f(x) = {scene.f.latex}$"
         text = html.escape(words(scene))

@@ -12,6 +12,7 @@ from typing import Any
 import ipywidgets as w
 
 from ...design import Design
+from ...geometry.checks import Array
 from ..controls import (
     GalleryControl,
     Group,
@@ -21,7 +22,21 @@ from ..controls import (
     Strokes,
     TimeControl,
 )
-from ..scenes.bend import STYLE, Bend, bend, curvatures, forms, graph, in_space, lacking, words
+from ..handles import Grasp, Grip, Handles
+from ..scenes.bend import (
+    STYLE,
+    Bend,
+    bend,
+    curvatures,
+    flat,
+    forms,
+    graph,
+    in_space,
+    lacking,
+    spots,
+    words,
+)
+from ..sight import follow
 from ..slate import Change, Slate
 from ..state import Lab
 from ..view3d import SurfaceView
@@ -124,12 +139,17 @@ class Bending(LabApp):
         self.view, self.time = SurfaceView(560, 430), TimeControl(lab)
         self.gallery, self.history = GalleryControl(lab), HistoryControl(self.spot)
         self.place, self._strokes = Place(self, 0.5 * lab.design.length), Strokes()
+        self.point, self.dots = Handles(self.view), Handles()
         self._good: tuple[Design, Bend] | None = None
         self._views = [self.view]
         self._groups = [self.place, self.time, self.gallery, self.history]
         self._releases += [
             self.spot.follow(self._moved),
             self.view.on_pick(lambda t, w: self.place.guard(lambda: self.pick(t, w))),
+            self.point.close,
+            self.point.on_grasp(lambda grasp: self.place.guard(lambda: self.drag(grasp))),
+            self.dots.close,
+            self.dots.on_grasp(lambda grasp: self.place.guard(lambda: self.slide(grasp))),
         ]
         self.view.sphere("off")
         self.view.show(frame=False)
@@ -140,9 +160,13 @@ class Bending(LabApp):
         head = [self.gallery.widget, self.history.widget, self.place.colour, self.legend]
         under = w.HBox([self.place.fan, self.place.home]).add_class("ruledlab-bar")
         moved = [self.time.widget, self.place.w.widget, under]
+        look, along = (
+            w.Box(pair).add_class("ruledlab-space")
+            for pair in ([self.view.widget, self.point], [self.picture, self.dots])
+        )
         parts = [
-            w.VBox([self.view.widget, *moved]),
-            w.VBox([self.picture, self.curved]),
+            w.VBox([look, *moved]),
+            w.VBox([along, self.curved]),
             self.forms,
         ]
         return (
@@ -160,9 +184,23 @@ class Bending(LabApp):
         running = self.time.player.running or self.place.player.running
         return self._strokes.token("run" if running else moved)
 
-    def pick(self, t: float, w: float) -> None:
+    def pick(self, t: float, w: float, stroke: object = None) -> None:
         """Look at a point of the surface."""
-        self.spot.edit("pick", t=round(t, 4), w=round(w, 4))  # a hand is no more exact
+        self.spot.edit("pick", stroke, t=round(t, 4), w=round(w, 4))  # a hand is no more exact
+
+    def drag(self, grasp: Grasp) -> None:
+        """Move the point along the sheet it is on, under the pointer."""
+        spot, eye = self.spot.value, self.view.eye
+        x, y, _ = eye.seen(grasp.place)
+        to = follow(self.lab.result.scene, eye, (spot.t, spot.w), x, y)
+        if to is not None:
+            self.pick(*to, ("handle", *grasp.drag))
+
+    def slide(self, grasp: Grasp) -> None:
+        """Move the point along its ruling."""
+        half = 0.5 * self.lab.design.length
+        w = min(max(float(grasp.place[0]), -half), half)
+        self.spot.edit("w", ("handle", *grasp.drag), w=round(w, 4))
 
     def update(self, change: Change) -> None:
         """Follow the lab: draw, and remember where it is."""
@@ -196,6 +234,12 @@ class Bending(LabApp):
         size = 0.3 * result.scene.radius
         self.view.overlay(in_space(self._good[1], now, size, self.place.fan.value))
         self.view.describe(words(spot.t, now))
+        self.point.draw([Grip(now.planes.point[0], "point", "cursor", "the point looked at")])
         self.picture.value = graph(now)
+        self.dots.draw([_grip(*spot) for spot in spots(now)], flat(now))
         self.curved.value, self.forms.value = curvatures(now), forms(now)
         self.place.show(spot, lacking(now))
+
+
+def _grip(symbol: str, place: Array) -> Grip:
+    return Grip(place, "point", "cursor", f"w, on the curve of {symbol}")

@@ -12,10 +12,23 @@ import numpy as np
 
 from ...geometry import RuledSurface, TangentPlanes, tangent_planes
 from ...geometry.checks import Array
+from ..flat import Flat
 from ..overlay import Dot, Label, Overlay, Sheet, Stroke
 from ..palette import DARK, LIGHT, Theme
 
-__all__ = ["STYLE", "Bend", "bend", "curvatures", "forms", "graph", "in_space", "lacking", "words"]
+__all__ = [
+    "STYLE",
+    "Bend",
+    "bend",
+    "curvatures",
+    "flat",
+    "forms",
+    "graph",
+    "in_space",
+    "lacking",
+    "spots",
+    "words",
+]
 
 FAN: Final = 7
 """Tangent planes along the ruling, when they are shown."""
@@ -106,8 +119,8 @@ def _plane(p: Array, x: Array, n: Array, size: float, colour: str, name: str) ->
     return Sheet(np.array(corners), colour, 0.5, name)
 
 
-WIDE, HIGH, LEFT, GAP, HEAD = 440, 112, 58, 30, 18
-"""Width, height of a panel with its heading, room at the left, between panels, of a heading."""
+WIDE, HIGH, LEFT, END, GAP, HEAD = 440, 112, 58, 14, 30, 18
+"""Width, height of a panel with its heading, room left and right, between panels, of a heading."""
 
 _COLOURS: Final = {"turn": "delta", "gauss": "kappa", "mean": "tau", "now": "cursor"}
 
@@ -138,8 +151,9 @@ STYLE: Final = (
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Panel:
-    """One curve over w: its name in the style, heading, heights, marks at the axis and its ends."""
+    """One curve over w: where it begins, its name in the style, heading, heights, marks, ends."""
 
+    top: float
     kind: str
     title: str
     y: Array
@@ -148,36 +162,62 @@ class _Panel:
     high: float
 
 
-def graph(found: Bend) -> str:
-    """Return θ, K and H along the ruling as an SVG picture, with the present w marked."""
+def _panels(found: Bend) -> tuple[_Panel, ...]:
     planes, part = found.planes, found.graph
     deep, wide = _size(planes.gauss[part]), _size(planes.mean[part])
-    panels = (
-        _Panel("turn", "θ, turn of the tangent plane", np.degrees(planes.turn),
+    return (
+        _Panel(0, "turn", "θ, turn of the tangent plane", np.degrees(planes.turn),
                ("90°", "0", "−90°"), -90.0, 90.0),
-        _Panel("gauss", "K, Gauss curvature", planes.gauss, ("0", "", _said(-deep)), -deep, 0.0),
-        _Panel("mean", "H, mean curvature", planes.mean,
+        _Panel(HIGH + GAP, "gauss", "K, Gauss curvature", planes.gauss,
+               ("0", "", _said(-deep)), -deep, 0.0),
+        _Panel(2 * (HIGH + GAP), "mean", "H, mean curvature", planes.mean,
                (_said(wide), "0", _said(-wide)), -wide, wide),
     )  # fmt: skip
-    tops = [i * (HIGH + GAP) for i in range(len(panels))]
-    drawn = "".join(_drawn(panel, top, found) for panel, top in zip(panels, tops, strict=True))
-    x, low = _across(found.w[0] / found.half), tops[-1] + HIGH
+
+
+FOOT: Final = 3 * HIGH + 2 * GAP
+"""Where the axis of w is in the picture."""
+
+TALL: Final = FOOT + 34
+"""The height of the picture."""
+
+
+def flat(found: Bend) -> Flat:
+    """Return where a w is in the picture; heights there are those of the drawing, downwards."""
+    area, half = (WIDE - LEFT - END, TALL), found.half
+    return Flat((WIDE, TALL), (LEFT, 0.0), area, (-half, half), (-TALL, 0.0))
+
+
+def spots(found: Bend) -> tuple[tuple[str, Array], ...]:
+    """Return the points of the present w as `flat` has them, each with its curve's symbol."""
+    heights = ((panel.title[0], _height(panel, found)) for panel in _panels(found))
+    return tuple(
+        (symbol, np.array([found.w[0], -height, 0.0]))
+        for symbol, height in heights
+        if height is not None
+    )
+
+
+def graph(found: Bend) -> str:
+    """Return θ, K and H along the ruling as an SVG picture, with the present w marked."""
+    drawn = "".join(_drawn(panel, found) for panel in _panels(found))
+    x = _across(found.w[0] / found.half)
     line = (
-        f'<path class="now" d="M{x:.1f} {HEAD}V{low}" stroke="currentColor" '
+        f'<path class="now" d="M{x:.1f} {HEAD}V{FOOT}" stroke="currentColor" '
         'stroke-dasharray="3 3"/>'
     )
     label = html.escape(_graph_words(found), quote=True)
     return (
-        f'<svg class="ruledlab-bend" viewBox="0 0 {WIDE} {low + 34}" role="img" '
-        f'aria-label="{label}">{line}{drawn}{_ticks(found, low)}{_empty(found, low)}</svg>'
+        f'<svg class="ruledlab-bend" viewBox="0 0 {WIDE} {TALL}" role="img" '
+        f'aria-label="{label}">{line}{drawn}{_ticks(found)}{_empty(found)}</svg>'
     )
 
 
-def _empty(found: Bend, low: float) -> str:
+def _empty(found: Bend) -> str:
     """Return what stands in the middle of a picture without curves."""
     if math.isfinite(found.delta):
         return ""
-    x, y = 0.5 * (LEFT + WIDE - 14), 0.5 * low
+    x, y = 0.5 * (LEFT + WIDE - END), 0.5 * FOOT
     return f'<text x="{x}" y="{y}" text-anchor="middle">no tangent planes on this ruling</text>'
 
 
@@ -189,64 +229,72 @@ def _size(values: Array) -> float:
 
 def _across(w: float) -> float:
     """Return where a w from −1 to 1 stands in the picture."""
-    return LEFT + 0.5 * (w + 1.0) * (WIDE - LEFT - 14)
+    return LEFT + 0.5 * (w + 1.0) * (WIDE - LEFT - END)
 
 
-def _down(panel: _Panel, y: float, top: float) -> float:
-    """Return where a height stands in the panel that begins at ``top``."""
-    return top + HEAD + (panel.high - y) / (panel.high - panel.low) * (HIGH - HEAD)
+def _down(panel: _Panel, y: float) -> float:
+    """Return where a height stands in its panel."""
+    return panel.top + HEAD + (panel.high - y) / (panel.high - panel.low) * (HIGH - HEAD)
 
 
-def _drawn(panel: _Panel, top: float, found: Bend) -> str:
+def _drawn(panel: _Panel, found: Bend) -> str:
+    top = panel.top
     heights = [top + HEAD, top + 0.5 * (HEAD + HIGH), top + HIGH]
     rules = "".join(
-        f'<path d="M{LEFT} {height}H{WIDE - 14}" stroke="currentColor" opacity="0.3"/>'
+        f'<path d="M{LEFT} {height}H{WIDE - END}" stroke="currentColor" opacity="0.3"/>'
         f'<text x="{LEFT - 6}" y="{height + 4}" text-anchor="end">{mark}</text>'
         for height, mark in zip(heights, panel.marks, strict=True)
         if mark
     )
     return (
         f'{rules}<text class="{panel.kind}" x="{LEFT}" y="{top + 11}" font-weight="600">'
-        f'{panel.title}</text><path class="{panel.kind}" d="{_path(panel, top, found)}" '
+        f'{panel.title}</text><path class="{panel.kind}" d="{_path(panel, found)}" '
         'fill="none" stroke="currentColor" stroke-width="2.5" stroke-linejoin="round"/>'
-        f"{_spot(panel, top, found)}"
+        f"{_spot(panel, found)}"
     )
 
 
-def _path(panel: _Panel, top: float, found: Bend) -> str:
+def _path(panel: _Panel, found: Bend) -> str:
     """Return a curve as the data of a path, with a gap where a height is undefined."""
     pen, parts = "M", []
     for w, y in zip(found.w[found.graph] / found.half, panel.y[found.graph], strict=True):
         if not math.isfinite(y):
             pen = "M"
             continue
-        parts.append(f"{pen}{_across(w):.1f} {_down(panel, y, top):.1f}")
+        parts.append(f"{pen}{_across(w):.1f} {_down(panel, y):.1f}")
         pen = "L"
     return "".join(parts)
 
 
-def _spot(panel: _Panel, top: float, found: Bend) -> str:
-    """Return the point of the present w, where there is one."""
+def _height(panel: _Panel, found: Bend) -> float | None:
+    """Return where the value at the present w stands, if there is one."""
     y = float(panel.y[0])
     if found.reason or not math.isfinite(y):
-        return ""
+        return None
     # between two places of the graph a curve may be a little higher than what is drawn of it
-    height = _down(panel, min(max(y, panel.low), panel.high), top)
+    return _down(panel, min(max(y, panel.low), panel.high))
+
+
+def _spot(panel: _Panel, found: Bend) -> str:
+    """Return the point of the present w, where there is one."""
+    height = _height(panel, found)
+    if height is None:
+        return ""
     x = _across(found.w[0] / found.half)
     return f'<circle class="now" cx="{x:.1f}" cy="{height:.1f}" r="5" fill="currentColor"/>'
 
 
-def _ticks(found: Bend, low: float) -> str:
+def _ticks(found: Bend) -> str:
     half, delta = found.half, abs(found.delta)
     said = [(-half, _said(-half)), (0.0, "0"), (half, _said(half))]
     if 0.12 * half < delta < 0.88 * half:
         said += [(-delta, "−|δ|"), (delta, "|δ|")]
     marks = "".join(
-        f'<path d="M{_across(w / half):.1f} {HEAD}V{low}" stroke="currentColor" opacity="0.18"/>'
-        f'<text x="{_across(w / half):.1f}" y="{low + 16}" text-anchor="middle">{text}</text>'
+        f'<path d="M{_across(w / half):.1f} {HEAD}V{FOOT}" stroke="currentColor" opacity="0.18"/>'
+        f'<text x="{_across(w / half):.1f}" y="{FOOT + 16}" text-anchor="middle">{text}</text>'
         for w, text in said
     )
-    return f'{marks}<text x="{WIDE}" y="{low + 30}" text-anchor="end">w, length</text>'
+    return f'{marks}<text x="{WIDE}" y="{FOOT + 30}" text-anchor="end">w, length</text>'
 
 
 def _graph_words(found: Bend) -> str:

@@ -17,6 +17,7 @@ import numpy as np
 
 from ...geometry import Function, GeometryError, Lifted, function
 from ...geometry.checks import Array, frozen
+from ..flat import Flat
 from ..palette import DARK, LIGHT, Theme
 from ..plots import Limits, number_ticks, sticky_limits
 
@@ -27,6 +28,7 @@ __all__ = [
     "DualPoint",
     "DualScene",
     "dual_scene",
+    "flat",
     "height_limits",
     "picture",
     "readout",
@@ -102,8 +104,11 @@ def _heights(formula: str) -> Array:
 
 # -- the picture -----------------------------------------------------------------------------------
 
-WIDTH, HEIGHT, LEFT, BOTTOM = 600.0, 400.0, 46.0, 28.0
-"""Size of the plot and the room for its numbers, in units of the drawing."""
+WIDTH, HEIGHT, LEFT, TOP, BOTTOM = 600.0, 400.0, 46.0, 8.0, 28.0
+"""Size of the plot and the room around it, in units of the drawing."""
+
+SIZE: Final = (WIDTH + LEFT + 8, HEIGHT + BOTTOM + TOP + 4)
+"""Width and height of the whole drawing."""
 
 HOME: Final = 1.6
 """The graph over |x| up to here is in sight whatever x is chosen; all of it, if that needs no more
@@ -139,12 +144,18 @@ def _rung(size: float) -> float:
     return next(step * decade for step in (1, 2, 5, 10) if step * decade >= size * (1 - 1e-9))
 
 
+def flat(limits: Limits) -> Flat:
+    """Return where the places of the plot are in the drawing."""
+    window = (WINDOW.low, WINDOW.high)
+    return Flat(SIZE, (LEFT, TOP), (WIDTH, HEIGHT), window, (limits.low, limits.high))
+
+
 def picture(scene: DualScene, limits: Limits) -> str:
     """Return the graph of f with point, tangent, step and rise as SVG, with its words."""
     pen = _Pen(limits)
     inside = [_grid(pen), f'<path class="graph" d="{_path(scene.heights, pen)}"/>']
     inside.append(_marks(scene, pen) if not scene.lifted.undefined else _gap(scene, pen))
-    view = f"{-LEFT:g} -8 {WIDTH + LEFT + 8:g} {HEIGHT + BOTTOM + 12:g}"
+    view = f"{-LEFT:g} {-TOP:g} {SIZE[0]:g} {SIZE[1]:g}"
     plot = f'width="{WIDTH:g}" height="{HEIGHT:g}" viewBox="0 0 {WIDTH:g} {HEIGHT:g}"'
     return (
         f'<svg class="ruledlab-dual" viewBox="{view}" role="img" '

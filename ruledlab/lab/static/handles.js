@@ -1,4 +1,4 @@
-// Handles over a picture of space. They are not moved here: the page says where a handle is wanted,
+// Handles over a picture. They are not moved here: the page says where a handle is wanted,
 // in pixels of the picture, and Python answers with the new places of all.
 
 const SVG = "http://www.w3.org/2000/svg";
@@ -52,7 +52,7 @@ function render({ model, el }) {
   let timer = 0;
 
   const shown = () => model.get("picture").handles ?? [];
-  const picture = () => el.parentElement?.querySelector("canvas, .jupyter-threejs img");
+  const picture = () => el.parentElement?.querySelector("canvas, .jupyter-threejs img, svg[role=img]");
 
   function draw() {
     const { size = [1, 1] } = model.get("picture");
@@ -127,7 +127,7 @@ function render({ model, el }) {
 
   /** While the picture is turned the handles are out of the way; Python does not know the camera. */
   function off(event) {
-    if (svg.contains(event.target)) return;
+    if (svg.contains(event.target) || picture() instanceof SVGElement) return;
     turning = event.type === "pointerdown";
     svg.classList.add("is-off");
     back();

@@ -303,12 +303,17 @@ function render({ model, el }) {
     model.save_changes();
   }
 
+  /** A pointer is no more exact than a ten-thousandth of the axis: short numbers are to be read. */
+  function byHand(t, span) {
+    return Number(t.toFixed(Math.min(Math.max(4 - Math.floor(Math.log10(span)), 0), 12)));
+  }
+
   function pickAt(event) {
     const { left, right, t: [low, high] } = frame();
     const x = event.clientX - stage.getBoundingClientRect().left;
     clearTimeout(release);
     release = 0;
-    held = clamp(low + ((x - left) / (right - left)) * (high - low));
+    held = clamp(byHand(low + ((x - left) / (right - left)) * (high - low), high - low));
     pick(held);
     redraw();
   }

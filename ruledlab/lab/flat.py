@@ -1,0 +1,56 @@
+"""A drawing with two axes, as a place for handles."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from ..geometry.checks import Array
+
+__all__ = ["Flat"]
+
+EDGE: Final = 1e-6
+"""What lies beside the plot by no more than this part of its size is still on its edge."""
+
+
+@dataclass(frozen=True, slots=True)
+class Flat:
+    """A drawing with axes; its points are (x, y, 0).
+
+    Attributes
+    ----------
+    size
+        width and height of the drawing, in its own units.
+    corner, area
+        upper left corner of the plot within it, and the plot's width and height.
+    x, y
+        the limits of the axes, (low, high).
+    """
+
+    size: tuple[float, float]
+    corner: tuple[float, float]
+    area: tuple[float, float]
+    x: tuple[float, float]
+    y: tuple[float, float]
+
+    def seen(self, point: Array) -> tuple[float, float, float]:
+        """Return where a point is in the drawing, and 1 in sight, 0 outside of the plot."""
+        across = (float(point[0]) - self.x[0]) / (self.x[1] - self.x[0])
+        down = (self.y[1] - float(point[1])) / (self.y[1] - self.y[0])
+        inside = all(abs(part - 0.5) <= 0.5 + EDGE for part in (across, down))
+        (left, top), (width, height) = self.corner, self.area
+        return left + across * width, top + down * height, float(inside)
+
+    def at(self, x: float, y: float, depth: float) -> Array:
+        """Return the point at a place of the drawing."""
+        (left, top), (width, height) = self.corner, self.area
+        across, down = (x - left) / width, (y - top) / height
+        return np.array(
+            [
+                self.x[0] + across * (self.x[1] - self.x[0]),
+                self.y[1] - down * (self.y[1] - self.y[0]),
+                0.0,
+            ]
+        )
