@@ -159,7 +159,7 @@ def test_the_three_ways_agree(key):
 
 def test_the_numbers_of_example_2(app):
     text = app.numbers.value
-    rows = dict(re.findall(r"<tr><th>([^<]+)</th><td>([^<]+)", text))
+    rows = dict(re.findall(r"<tr><th scope=.row.>([^<]+)</th><td>([^<]+)", text))
     assert {rows[way] for way in ("line integral, −∮τ̂ dt", "area and flux", "in 512 steps")} == {
         "−6.115937783"
     }
@@ -240,7 +240,7 @@ def test_a_field_that_jumps_is_told_from_one_that_is_rough():
 
 
 def test_the_seam_says_what_jumps(app):
-    rows = re.findall(r"<th>(X[′″]?)</th><td>(.*?)</td><td>(.*?)</td>", app.seam.value)
+    rows = re.findall(r"<th scope=.row.>(X[′″]?)</th><td>(.*?)</td><td>(.*?)</td>", app.seam.value)
     assert rows == [("X", "none", "none"), ("X′", "none", "none"), ("X″", "23.56", "43.18")]
     app.figure.points.closing.value = "C2"
     assert app.seam.value.count("none") == 6

@@ -19,6 +19,7 @@ import urllib.request
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from importlib.resources import files
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -126,6 +127,19 @@ STICKS_OUT = """() => [...document.querySelectorAll('.jp-OutputArea-output')].fl
   return found;
 })"""
 
+# What axe-core finds wrong for people who see badly, or hear a page, or use its keys
+BARRIERS = """async () => {
+  const found = [];
+  for (const app of document.querySelectorAll('.ruledlab')) {
+    app.scrollIntoView();
+    await new Promise(done => setTimeout(done, 300));
+    const {violations} = await axe.run(app, {resultTypes: ['violations']});
+    found.push(...violations.flatMap(({id, nodes}) => nodes.map(node =>
+      `${id}: ${node.html.slice(0, 200)}: ${node.failureSummary}`)));
+  }
+  return found;
+}"""
+
 # The controls whose names a screen reader says
 CONTROL_ROLES = ("button", "slider", "textbox", "combobox", "checkbox", "spinbutton")
 
@@ -163,7 +177,7 @@ def _playwrights_own() -> str | None:
 
 def why_not() -> str | None:
     """Why browser tests cannot run here, or None if they can."""
-    for module in ("jupyterlab", "playwright"):
+    for module in ("jupyterlab", "playwright", "axe_playwright_python"):
         if find_spec(module) is None:
             return f"{module} is not installed"
     if find_chromium() is None:
@@ -424,6 +438,16 @@ class NotebookPage:
     def sticks_out(self) -> list[str]:
         """What is wider than the output it stands in."""
         return list(self.page.evaluate(STICKS_OUT))
+
+    def barriers(self) -> list[str]:
+        """What axe-core finds in the apps, in the light and in the dark theme."""
+        self.page.evaluate((files("axe_playwright_python") / "axe.min.js").read_text("utf-8"))
+        found = []
+        for dark in (True, False):
+            self.dark(dark)
+            self.page.wait_for_timeout(700)  # colours change by and by
+            found += [f"dark={dark}: {line}" for line in self.page.evaluate(BARRIERS)]
+        return found
 
     def control_names(self, root: str) -> list[tuple[str, str]]:
         """Role and name of every control in the first `root`, as the browser tells assistants."""

@@ -54,4 +54,5 @@ def test_lesson_01_lives(lab: LabSession) -> None:
         card.get_by_text("✓ done").wait_for()
         page.screenshot("lesson-01-exercise")
         assert page.errors() == []
+        assert page.barriers() == []
         assert page.console_errors == []

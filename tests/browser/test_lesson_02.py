@@ -64,4 +64,5 @@ def test_two_lines_are_moved_and_an_exercise_is_answered(lab: LabSession) -> Non
         card.get_by_text("✓ done").wait_for()
         assert page.sticks_out() == []
         assert page.errors() == []
+        assert page.barriers() == []
         assert page.console_errors == []

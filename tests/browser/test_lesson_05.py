@@ -59,4 +59,5 @@ def test_the_plane_moves_and_an_exercise_is_answered(lab: LabSession) -> None:
         card.get_by_text("✓ done").wait_for()
         assert page.sticks_out() == []
         assert page.errors() == []
+        assert page.barriers() == []
         assert page.console_errors == []

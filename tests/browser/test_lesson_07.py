@@ -70,4 +70,5 @@ def test_lesson_07_lives(lab: LabSession) -> None:
         page.screenshot("lesson-07-narrow-dark")
         assert page.sticks_out() == []
         assert page.errors() == []
+        assert page.barriers() == []
         assert page.console_errors == []

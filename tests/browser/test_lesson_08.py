@@ -59,4 +59,5 @@ def test_the_way_round_lives_and_an_exercise_is_answered(lab: LabSession) -> Non
         page.page.get_by_role("button", name="Check").first.click()
         page.page.get_by_text("Gauss and Bonnet: ").first.wait_for()
         assert page.errors() == []
+        assert page.barriers() == []
         assert page.console_errors == []

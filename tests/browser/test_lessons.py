@@ -68,6 +68,7 @@ def test_lesson_0_shows_the_laboratory(start: NotebookPage) -> None:
     start.wait_change(space, THREE)
     start.wait_change(plots, PLOTS)
     assert start.errors() == []
+    assert start.barriers() == []
     assert start.console_errors == []
 
 
@@ -110,4 +111,5 @@ def test_the_studio_of_lesson_6_leaves_the_figures_alone(sphere_lesson: Notebook
     assert page.stays(sphere, THREE, 0, over=0.2)
     assert page.stays(surface, THREE, 1, over=0.2)
     assert page.errors() == []
+    assert page.barriers() == []
     assert page.console_errors == []

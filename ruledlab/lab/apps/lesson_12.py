@@ -266,6 +266,7 @@ def _formula(word: str, latex: str) -> str:
     formula, _, where = html.escape(latex).partition(r"\qquad\text{with }")
     meaning = f'<p style="margin:2px 0 6px">with \\({where}\\)</p>' if where else ""
     return (
-        f'<p style="margin:6px 0;overflow-x:auto"><b style="{ALIGNED}">{word}</b> '
+        f'<p role="group" aria-label="{word}" tabindex="0" style="margin:6px 0;overflow-x:auto">'
+        f'<b style="{ALIGNED}">{word}</b> '
         f"\\(\\displaystyle {formula}\\)</p>{meaning}"
     )

@@ -297,13 +297,22 @@ def numbers_html(ways: Ways, path: Path) -> str:
     if (d := ways.carried) is not None:
         rows.append(("X₂, carried along", "0", "0"))
         rows.append(("X₃, carried along", _shown(-d.real[2], 6), _shown(-d.dual[2], 6)))
-    body = "".join(f"<tr><th>{a}</th><td>{b}</td><td>{c}</td></tr>" for a, b, c in rows)
+    body = "".join(_row(*row) for row in rows)
     sign = "+" if dual >= 0 else "−"
     return (
-        f"{_TABLE}<tr><th></th><th>λ in rad</th><th>l, a length</th></tr>{body}</table>"
+        f"{_TABLE}<tr><td></td>{_heads('λ in rad', 'l, a length')}</tr>{body}</table>"
         f"<div>Λ = λ + ε l = {_shown(real, 6)} {sign} ε {abs(dual):.6f}</div>"
         f"{_region_note(ways.region)}{_doubts(ways)}"
     )
+
+
+def _heads(*texts: str) -> str:
+    return "".join(f'<th scope="col">{text}</th>' for text in texts)
+
+
+def _row(name: str, *texts: str) -> str:
+    cells = "".join(f"<td>{text}</td>" for text in texts)
+    return f'<tr><th scope="row">{name}</th>{cells}</tr>'
 
 
 def size_html(now: Dual | None, full: Dual | None) -> str:
@@ -381,8 +390,8 @@ def _without(path: Path) -> str:
     along = "–" if path.walk is None else _shown(path.walk.gap, 6)
     about = "–" if path.turn is None else _shown(path.turn.gap, 6)
     return (
-        f"{_TABLE}<tr><th>−∫⟨c′, x⟩ dt, first to last ruling</th><td>{along}</td></tr>"
-        f"<tr><th>−∫τ dt, first to last ruling</th><td>{about}</td></tr></table>"
+        f"{_TABLE}{_row('−∫⟨c′, x⟩ dt, first to last ruling', along)}"
+        f"{_row('−∫τ dt, first to last ruling', about)}</table>"
         '<div class="ruledlab-note">These are no pitch and no angle of pitch: the way does not '
         "lead back to the same oriented line.</div>"
     )
@@ -415,11 +424,11 @@ def seam_html(lab: Lab) -> str:
     if state.order < 0:
         return f'<div class="ruledlab-note" role="status">The surface {said}.</div>'
     rows = "".join(
-        f"<tr><th>{name}</th><td>{_jump(k, 0, state)}</td><td>{_jump(k, 1, state)}</td></tr>"
+        _row(name, _jump(k, 0, state), _jump(k, 1, state))
         for k, name in enumerate(("X", "X′", "X″"))
     )
     return (
-        f"{_TABLE}<tr><th>jump at the seam</th><th>direction</th><th>moment</th></tr>{rows}"
+        f"{_TABLE}<tr>{_heads('jump at the seam', 'direction', 'moment')}</tr>{rows}"
         f'</table><div class="ruledlab-note" role="status">The surface {said}.</div>'
     )
 
