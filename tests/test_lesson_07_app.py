@@ -79,10 +79,24 @@ def test_the_window_holds_the_curve_and_is_not_narrow():
 
 def test_focal_surfaces_of_a_spheres_tangents_hold_the_sphere():
     design = example("example_2").with_(ubar="cos(pi/3)/sin(v)", vbar="sin(pi/3)")
-    found = congruence.lines(Congruence(design.ubar, design.vbar), scene_of(design), 5)
-    both = np.stack(found.focal).reshape(2, -1, 3)
+    found = congruence.focal_surfaces(Congruence(design.ubar, design.vbar), scene_of(design))
+    both = np.stack([sheet.points for sheet in found.sheets]).reshape(2, -1, 3)
     off = np.abs(np.linalg.norm(both, axis=-1) - 1.0).min(axis=0)
     assert np.nanmax(off) < 1e-9 and np.isfinite(off).mean() > 0.5
+
+
+def test_a_focal_surface_that_is_a_curve_is_drawn_as_one(app):
+    app.fields.pair.value = "torus_normals"
+    app.control.focal.value = True
+    strokes = [s.points for s in app.view._overlay.strokes if "focal" in s.name]
+    known = [points[np.isfinite(points).all(axis=1)] for points in strokes]
+    axis = [np.abs(points[:, :2]).max() < 1e-9 for points in known]
+    ring = [
+        max(np.abs(np.hypot(*points[:, :2].T) - 1.0).max(), np.abs(points[:, 2]).max()) < 1e-9
+        for points in known
+    ]
+    assert sorted(zip(axis, ring, strict=True)) == 2 * [(False, True)] + 2 * [(True, False)]
+    assert all(np.ptp(points, axis=0).max() > 1.0 for points in known)
 
 
 @pytest.mark.parametrize(
@@ -261,13 +275,23 @@ def test_the_place_leaves_the_curve_and_returns_with_t(app):
     assert shown(app) == before
 
 
+def test_the_place_on_the_curve_is_read_with_six_digits(app):
+    assert (app.control.u.field.value, app.control.v.field.value) == ("pi/8", "pi/4")
+    app.time.t.field.value = "0.3"
+    u = float(app.lab.mark.chart[0])
+    assert app.control.u.field.value == f"{u:.6f}".rstrip("0") != repr(u)
+    app.control.v.field.value = "1"
+    assert app.control.at == (u, 1.0)  # u itself has not been rounded
+
+
 def test_switches_take_away_and_bring_back(app):
     app.fields.pair.value = "sphere"
     before = shown(app)
     app.control.focal.value = True
     assert len(app.view._overlay.sheets) == 2
     app.control.grid.value = False
-    assert [stroke.name for stroke in app.view._overlay.strokes] == ["line"]
+    names = {stroke.name for stroke in app.view._overlay.strokes}
+    assert names == {"line", "first focal surface", "second focal surface"}
     app.control.grid.value, app.control.focal.value = True, False
     assert shown(app) == before
 

@@ -103,6 +103,15 @@ def test_what_is_constant_is_told_so() -> None:
     assert "as printed 0.7749 throughout, mended 0 throughout" in comparison.in_words(entry, made)
 
 
+def test_where_both_agree_no_place_is_farthest_apart(app) -> None:
+    app.chooser.menu.value = "tau_bar"
+    assert "farthest apart" in app.numbers.value
+    app.lab.load(design("hyperboloid"), "test")
+    assert app.comparison.agree
+    assert "at t = 0.25" in app.numbers.value
+    assert "farthest apart" not in app.numbers.value
+
+
 def test_agreement_is_told() -> None:
     made = compare(finding("tau_bar"), gallery.surface("hyperboloid"))
     assert "agree on this design" in comparison.in_words(finding("tau_bar"), made)
@@ -317,7 +326,7 @@ def test_the_app_closes_without_a_trace() -> None:
     app.close()
     assert set(ipywidgets.widget._instances) == before
     assert not app.lab._followers
-    app.lab.load(design("cone"), "test")
+    app.lab.load(design("hyperboloid"), "test")
 
 
 # -- what the lesson claims ------------------------------------------------------------------------

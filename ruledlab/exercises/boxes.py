@@ -40,6 +40,7 @@ from .core import (
 from .record import STYLE
 
 __all__ = [
+    "LIVE",
     "Box",
     "ChooseBox",
     "DragBox",
@@ -86,12 +87,16 @@ def style() -> Any:
     return w.HTML(f"<style>{_STYLE}</style>", layout=w.Layout(display="none"))
 
 
+LIVE: Final = "ruledlab-live"
+"""The class of what a screen reader speaks when it changes; ``names.js`` gives it its role."""
+
+
 def maths(text: str, *classes: str) -> Any:
     """Return HTML with TeX between dollar signs, as a widget; it takes no room when empty."""
     made = w.HTMLMath()
-    show(made, text)
     for name in classes:
         made.add_class(name)
+    show(made, text)
     return made
 
 
@@ -105,9 +110,12 @@ def press(words: str, *classes: str, tooltip: str = "") -> Any:
 
 def show(widget: Any, text: str) -> None:
     """Put text into a widget; without any it takes no room."""
-    display = "" if text else "none"
-    if widget.layout.display != display:
-        widget.layout.display = display
+    if LIVE in widget._dom_classes:  # hidden, it would not be spoken when it comes
+        (widget.remove_class if text else widget.add_class)("ruledlab-silent")
+    else:
+        display = "" if text else "none"
+        if widget.layout.display != display:
+            widget.layout.display = display
     if widget.value != text:
         widget.value = text
 
@@ -348,7 +356,7 @@ class GoalBox(Box):
         self.draft: Submit = lambda value: None
         self._timer: threading.Timer | None = None
         self.slate, self._parts = slate, parts
-        self._conditions = maths("", "ruledlab-conditions")
+        self._conditions = maths("", "ruledlab-conditions", LIVE)
         self.widget.children = [self._conditions, *(part for part, _ in parts)]
         self._quiet = True  # opening it is no answer
         self._update(Change(scene=True))
@@ -483,7 +491,7 @@ def _control(group: Any) -> Part:
 def conditions_html(conditions: Sequence[Condition]) -> str:
     """Return conditions with how far off each is."""
     rows = "".join(_condition_html(condition) for condition in conditions)
-    return f'<ul class="ruledlab-marks" role="status">{rows}</ul>'
+    return f'<ul class="ruledlab-marks">{rows}</ul>'
 
 
 def _condition_html(condition: Condition) -> str:

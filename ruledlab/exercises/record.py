@@ -68,7 +68,8 @@ class Checked:
         return " ".join(f"{self.key}: {HEADS[self.verdict.state]} {text}".split())
 
     def _repr_html_(self) -> str:
-        return f"<style>{STYLE}</style>{verdict_html(self.verdict, self.key)}"
+        said = verdict_html(self.verdict, self.key)
+        return f'<style>{STYLE}</style><div role="status">{said}</div>'
 
 
 def check(key: str, value: Any, store: Store | None = None) -> Checked:
@@ -172,8 +173,11 @@ def _kept_value(answer: Any) -> str:
 
 
 def verdict_html(verdict: Verdict, lead: str = "") -> str:
-    """Return a verdict as HTML, spoken by screen readers when it appears."""
-    role = "alert" if verdict.state == UNREAD else "status"
+    """Return a verdict as HTML; one of an answer that could not be read is an alert.
+
+    The others are spoken where they stand in something with the role of a status.
+    """
+    role = ' role="alert"' if verdict.state == UNREAD else ""
     head = f"<b>{HEADS[verdict.state]}</b> " if HEADS[verdict.state] else ""
     number = f'<span class="ruledlab-number">{html.escape(lead)}</span> ' if lead else ""
     slip = (
@@ -181,6 +185,6 @@ def verdict_html(verdict: Verdict, lead: str = "") -> str:
     )
     pointer = f"<pre>{html.escape(verdict.pointer)}</pre>" if verdict.pointer else ""
     return (
-        f'<div class="ruledlab-verdict is-{verdict.state}" role="{role}">{number}'
+        f'<div class="ruledlab-verdict is-{verdict.state}"{role}>{number}'
         f"{head}{slip}{verdict.word}{pointer}</div>"
     )

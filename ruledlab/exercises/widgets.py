@@ -8,11 +8,12 @@ from typing import Any
 
 import ipywidgets as w
 
+from ..lab.apps.base import Page
 from ..lab.cells import closes_with_cell
 from ..lab.controls import Group
 from ..lab.state import Lab
 from .answers import is_open
-from .boxes import ChooseBox, GoalBox, box_for, close_all, maths, press, show, style
+from .boxes import LIVE, ChooseBox, GoalBox, box_for, close_all, maths, press, show, style
 from .core import UNREAD, Exercise, Sketch, Verdict, find, lesson, lessons
 from .record import begin_or_go_on, keep, kept, verdict_html
 from .store import Store, the_store
@@ -113,8 +114,8 @@ class Card(w.VBox):  # type: ignore[misc]
     def _build(self) -> None:
         self._seed = self._store.seed
         self.task = self.exercise.task(self._seed)
-        self._head, self._note = w.HTML(), w.HTML()
-        self._verdict = maths("")
+        self._head, self._note = w.HTML(), maths("", LIVE)
+        self._verdict = maths("", LIVE)
         self._hints = maths("")
         self._more = press("Hint", "ruledlab-quiet")
         self._solve = press("Solution", "ruledlab-quiet")
@@ -134,6 +135,7 @@ class Card(w.VBox):  # type: ignore[misc]
             w.HBox([self._more, self._solve]).add_class("ruledlab-help"),
             self._note,
             self._group.defect,
+            Page(),
         )
         self._open = bool(self._record().get("solution"))
         self._restore()
@@ -240,7 +242,7 @@ class Card(w.VBox):  # type: ignore[misc]
         self._more.layout.display = "" if task.hints else "none"
         self._solve.description = "Hide the solution" if self._open else "Show the solution"
         note = html.escape(self._store.note)
-        show(self._note, f'<div class="ruledlab-note" role="status">{note}</div>' if note else "")
+        show(self._note, f'<div class="ruledlab-note">{note}</div>' if note else "")
 
     def close(self) -> None:
         """Close every widget and leave no observer behind; a second call does nothing."""
@@ -291,7 +293,7 @@ class Lesson(w.VBox):  # type: ignore[misc]
         self._sum = w.HTML()
         self._place = w.VBox()
         row = w.HBox([*self._buttons.values(), self._sum]).add_class("ruledlab-steps")
-        super().__init__([style(), row, self._place, self._group.defect])
+        super().__init__([style(), row, self._place, self._group.defect, Page()])
         self.add_class("ruledlab").add_class("ruledlab-lesson")
         store.refresh()
         self._follow = store.follow(lambda key: self._mark())
@@ -355,10 +357,10 @@ class Predict(w.VBox):  # type: ignore[misc]
         self.box = ChooseBox(
             self._group, self._chosen, options, range(len(options)), "your prediction", "Predict"
         )
-        self._word = maths("")
+        self._word = maths("", LIVE)
         lead = '<span class="ruledlab-number">Predict</span> '
         asked = maths(lead + question, "ruledlab-question")
-        super().__init__([style(), asked, self.box.widget, self._word, self._group.defect])
+        super().__init__([style(), asked, self.box.widget, self._word, self._group.defect, Page()])
         self.add_class("ruledlab").add_class("ruledlab-exercise").add_class("ruledlab-predict")
 
     def _chosen(self, answer: Any) -> None:
@@ -369,8 +371,7 @@ class Predict(w.VBox):  # type: ignore[misc]
         state = "right" if answer == self._right else "wrong"
         show(
             self._word,
-            f'<div class="ruledlab-verdict is-{state}" role="status"><b>{head}</b> '
-            f"{self._because}</div>",
+            f'<div class="ruledlab-verdict is-{state}"><b>{head}</b> {self._because}</div>',
         )
 
     def close(self) -> None:

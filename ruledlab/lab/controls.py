@@ -129,8 +129,8 @@ class Group:
 def defect_html(text: str) -> str:
     """Return a programming error in red, folded away."""
     return (
-        '<details class="ruledlab-error" role="alert"><summary>A defect of ruledlab: please report '
-        f"what is in here.</summary><pre>{html.escape(text)}</pre></details>"
+        '<div role="alert"><details class="ruledlab-error"><summary>A defect of ruledlab: please '
+        f"report what is in here.</summary><pre>{html.escape(text)}</pre></details></div>"
     )
 
 

@@ -10,7 +10,6 @@ import pytest
 from playwright.sync_api import Locator, expect
 
 from .session import LabSession, NotebookPage, write_notebook
-from .test_lesson_02 import pull
 
 KINDS = {
     "choose": "06.1",
@@ -103,6 +102,27 @@ def test_number_with_a_hint(cards: NotebookPage) -> None:
     cards.screenshot(f"exercise-{key}")
 
 
+def test_keys_pressed_in_a_card_are_no_commands_of_the_page(cards: NotebookPage) -> None:
+    place = card(cards, KINDS["number"])
+    count = "window.jupyterapp.shell.currentWidget.content.widgets.length"
+    before = cards.page.evaluate(count)
+    for part in ("Check", "hint", "solution"):
+        cards.press(place.get_by_role("button", name=part).first, "b")
+        cards.press(place.get_by_role("button", name=part).first, "x")
+    assert cards.page.evaluate(count) == before
+    field = place.locator(".ruledlab-field input")
+    field.fill("pear")
+    field.press("Shift+Enter")  # an answer, and not the cell run again
+    place.get_by_text("pear").first.wait_for()
+    assert field.input_value() == "pear"
+
+
+def test_what_is_said_to_an_answer_has_a_place_that_is_there_before(cards: NotebookPage) -> None:
+    for key in (KINDS["choose"], KINDS["formula"]):
+        roles = card(cards, key).get_by_role("status")
+        assert roles.count() >= 1
+
+
 def test_formula(cards: NotebookPage) -> None:
     key = KINDS["formula"]
     field = card(cards, key).locator(".ruledlab-field input")
@@ -142,7 +162,7 @@ def test_place(cards: NotebookPage) -> None:
     lines = f"cards['{key}'].box.slate.value"
     marks = place.locator(".ruledlab-marks")
     first = marks.inner_text()
-    pull(cards, "given point of line B", (30, -25))
+    cards.pull("given point of line B", (30, -25))
     expect(marks).not_to_have_text(first, use_inner_text=True)
     place.get_by_role("button", name="direction of line B").focus()
     before = asked(cards, f"{lines}.numbers")
@@ -238,3 +258,7 @@ def test_no_card_sticks_out_of_a_narrow_notebook(cards: NotebookPage) -> None:
     finally:
         cards.resize(1400, 1000)
         cards.command("application:toggle-left-area")
+
+
+def test_no_card_has_barriers(cards: NotebookPage) -> None:
+    assert cards.barriers() == []

@@ -26,21 +26,6 @@ const button = (words, parent, action, className = "") => {
   return made;
 };
 
-// Keys typed here are ours; shortcuts with Ctrl or Command, such as saving, stay the page's own.
-function keepKeys(root) {
-  const shield = (event) => {
-    if (root.contains(event.target))
-      event.target.toggleAttribute("data-lm-suppress-shortcuts", !(event.ctrlKey || event.metaKey));
-  };
-  const stop = (event) => !(event.ctrlKey || event.metaKey) && event.stopPropagation();
-  window.addEventListener("keydown", shield, true);
-  for (const name of ["keydown", "keypress", "keyup"]) root.addEventListener(name, stop);
-  return () => {
-    window.removeEventListener("keydown", shield, true);
-    for (const name of ["keydown", "keypress", "keyup"]) root.removeEventListener(name, stop);
-  };
-}
-
 function follow(model, names, handler) {
   for (const name of names) model.on(`change:${name}`, handler);
   return () => names.forEach((name) => model.off(`change:${name}`, handler));
@@ -139,7 +124,7 @@ function renderChoose({ model, el }) {
     observer.observe(scope, { childList: true, subtree: true });
     scope.addEventListener("click", clicked);
     scope.addEventListener("keydown", keyed);
-    stops.push(keepKeys(scope), () => {
+    stops.push(() => {
       observer.disconnect();
       scope.removeEventListener("click", clicked);
       scope.removeEventListener("keydown", keyed);
@@ -186,7 +171,7 @@ function renderField({ model, el }) {
   };
   input.addEventListener("keydown", keyed);
   input.addEventListener("change", typed);
-  const stops = [keepKeys(root), follow(model, ["text"], show)];
+  const stops = [follow(model, ["text"], show)];
   input.value = model.get("text");
   return () => stops.forEach((stop) => stop());
 }
@@ -395,7 +380,6 @@ function renderSketch({ model, el }) {
   stage.addEventListener("pointercancel", released);
   stage.addEventListener("keydown", keyed);
   const stops = [
-    keepKeys(root),
     follow(model, ["sketch"], () => {
       if (before !== null) return;
       y = read();

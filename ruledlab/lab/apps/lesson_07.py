@@ -12,7 +12,7 @@ import ipywidgets as w
 
 from ...design import Design
 from ...geometry import Congruence, GeometryError
-from ...geometry.checks import Array
+from ...geometry.field import named_number
 from ..controls import (
     FieldControl,
     Group,
@@ -31,6 +31,7 @@ from ..scenes.congruence import (
     Lines,
     Place,
     counts_words,
+    focal_surfaces,
     highlighted,
     lines,
     place,
@@ -109,9 +110,9 @@ class CongruenceControl(Group):
         return float(u), float(v)
 
     def show(self) -> None:
-        """Show the place in the sliders."""
-        self.u.show(self.at[0])
-        self.v.show(self.at[1])
+        """Show the place in the sliders; on the curve it has more digits than anyone reads."""
+        for number, value in zip((self.u, self.v), self.at, strict=True):
+            number.show(value if "pi" in named_number(value) else round(value, 6))
 
     def look(self, u: float, v: float) -> None:
         """Leave the curve for a place the reader took hold of in the chart."""
@@ -149,6 +150,7 @@ class CongruenceApp(LabApp):
 
     def __init__(self, lab: Lab) -> None:
         self._lines: Lines | None = None
+        self._focal: Overlay | None = None
         self._loop, self._enclosed, self._written = Enclosure(), (), ()
         self._strip: tuple[Sheet, ...] = ()
         self._theme = LIGHT
@@ -188,7 +190,7 @@ class CongruenceApp(LabApp):
         """Draw what changed in the lab, then the congruence."""
         super().update(change)
         if change.scene:
-            self._lines, self._strip = None, ()
+            self._lines, self._focal, self._strip = None, None, ()
             self.said.value = ""
         if change.scene or change.mark:
             self._redraw()
@@ -220,10 +222,11 @@ class CongruenceApp(LabApp):
         at = place(congruence, *control.at)
         over, found = highlighted(at, scene), self._lines
         grid = found.strokes if control.grid.value else ()
-        sheets = _focal_sheets(found.focal) if control.focal.value else ()
-        self.view.overlay(
-            Overlay((*grid, *over.strokes), over.dots, (*sheets, *self._strip), over.labels)
-        )
+        if control.focal.value and self._focal is None:
+            self._focal = focal_surfaces(congruence, scene)
+        focal = self._focal if control.focal.value and self._focal else Overlay()
+        strokes, sheets = (*grid, *focal.strokes, *over.strokes), (*focal.sheets, *self._strip)
+        self.view.overlay(Overlay(strokes, over.dots, sheets, over.labels))
         mark = self.lab.mark if control.free is None else at.mark(self.lab.mark)
         self.view.draw_cursor(mark)
         self.pad.draw_place(control.free)
@@ -267,8 +270,3 @@ class CongruenceApp(LabApp):
         self._redraw()
         text = html.escape(straightened_words(surface, made, how))
         self.said.value = f'<div class="ruledlab-note" role="status">{text}</div>'
-
-
-def _focal_sheets(focal: tuple[Array, Array]) -> tuple[Sheet, ...]:
-    names = ("first focal surface", "second focal surface")
-    return tuple(Sheet(p, "kappa", 0.3, name) for p, name in zip(focal, names, strict=True))

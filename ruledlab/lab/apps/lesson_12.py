@@ -34,6 +34,7 @@ from ..pad import DomainPad
 from ..plots import sticky_limits
 from ..scenes.comparison import (
     NAMES,
+    ROUNDING,
     Comparison,
     compare,
     excursions,
@@ -215,12 +216,12 @@ class PrintedAndMended(LabApp):
         self.note.value = _note(words)
 
     def _rows(self, made: Comparison, cursor: float) -> list[tuple[str, float, float]]:
-        """Return the values at the cursor, and those that are farthest apart."""
+        """Return the values at the cursor, and those that are farthest apart, if any are."""
         chosen = self.chooser
         surface, at = self.lab.result.surface, np.array([cursor])
         pair = values(chosen.entry, surface, at, chosen.height, chosen.axis.value)
         rows = [(f"at t = {said(cursor, 4)}", float(pair[0][0]), float(pair[1][0]))]
-        if (worst := made.largest) is not None:
+        if (worst := made.largest) is not None and not made.agree:
             label = f"farthest apart, at t = {said(made.t[worst], 3)}"
             rows.append((label, float(made.printed[worst]), float(made.mended[worst])))
         return rows
@@ -235,7 +236,7 @@ class PrintedAndMended(LabApp):
 
 def _true(difference: Array) -> Array:
     """Return a difference without its rounding errors: zero is to look like zero."""
-    return np.where(np.abs(difference) < 1e-9, 0.0, difference)
+    return np.where(np.abs(difference) < ROUNDING, 0.0, difference)
 
 
 def _note(words: str) -> str:

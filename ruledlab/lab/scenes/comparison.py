@@ -21,6 +21,7 @@ from ..plots import Limits, number_ticks, peaks, sticky_limits, undefined_ranges
 
 __all__ = [
     "NAMES",
+    "ROUNDING",
     "Comparison",
     "compare",
     "excursions",
@@ -37,6 +38,9 @@ __all__ = [
 
 PLACES = 201
 """Values of t at which the two curves are computed."""
+
+ROUNDING = 1e-9
+"""A difference below this is one of rounding."""
 
 NAMES: dict[str, tuple[tuple[str, str], ...]] = {
     "x2bar_prime": tuple((f"x̄₂′, {axis} coordinate", "length per t") for axis in "xyz"),
@@ -105,6 +109,12 @@ class Comparison:
         if not np.isfinite(size).any():
             return None
         return int(np.argmax(size >= np.nanmax(size) * (1.0 - 1e-9)))
+
+    @property
+    def agree(self) -> bool:
+        """Whether there are values of both, and nowhere a difference but for rounding."""
+        worst = self.largest
+        return worst is not None and bool(abs(self.difference[worst]) < ROUNDING)
 
 
 def _subject(entry: Finding, surface: RuledSurface) -> RuledSurface:
@@ -192,7 +202,7 @@ def in_words(entry: Finding, made: Comparison) -> str:
     what = f"{entry.quantity[0].upper()}{entry.quantity[1:]}, {entry.place}."
     if worst is None:
         said_of = "There is no value of both to compare."
-    elif abs(made.difference[worst]) < 1e-9:
+    elif made.agree:
         said_of = "Printed and mended formula agree on this design."
     elif not made.t.size:
         said_of = " ".join(

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from ...geometry import Congruence
 from ...geometry.checks import Array
-from ..overlay import Dot, Label, Overlay, Stroke
+from ..overlay import Dot, Label, Overlay, Sheet, Stroke
 from ..scene import Mark, Scene
 
 __all__ = [
@@ -19,6 +19,7 @@ __all__ = [
     "Lines",
     "Place",
     "counts_words",
+    "focal_surfaces",
     "grid",
     "highlighted",
     "lines",
@@ -31,6 +32,10 @@ __all__ = [
 
 FINE: Final = 25
 """Places each way at which the focal surfaces are drawn."""
+
+MESH: Final = 4
+"""Of so many rows and columns of a focal surface one is drawn as a curve, too: where a surface has
+shrunk to a curve, the curve is seen."""
 
 REACH: Final = 4.0
 """Nothing is drawn farther from the middle than this many lengths of a line."""
@@ -59,8 +64,6 @@ class Lines:
         one for each kind that occurs.
     counts
         kind to how many lines of the grid are of it.
-    focal
-        the two focal surfaces, each (N, N, 3) with NaN where there is none near.
     ends
         (2, 2) the window: where the grid begins and ends in u and in v.
     kinds, divergence
@@ -69,7 +72,6 @@ class Lines:
 
     strokes: tuple[Stroke, ...]
     counts: dict[str, int]
-    focal: tuple[Array, Array]
     ends: Array
     kinds: npt.NDArray[np.str_]
     divergence: Array
@@ -103,19 +105,34 @@ def lines(congruence: Congruence, scene: Scene, count: int) -> Lines:
     along = focal.midpoint[:, None] + length * np.array([-0.5, 0.5])
     pieces = x.foot[:, None] + along[..., None] * x.direction[:, None]
     pieces[np.linalg.norm(pieces - scene.centre, axis=-1).max(axis=1) > far] = np.nan
-    pieces = np.concatenate([pieces, np.full((len(pieces), 1, 3), np.nan)], axis=1)
     counts = {kind: int((focal.kind == kind).sum()) for kind in (*LOOKS, "undefined")}
     strokes = tuple(
-        Stroke(pieces[focal.kind == kind].reshape(-1, 3), LOOKS[kind], 1.3, kind == "elliptic",
+        Stroke(_pieces(pieces[focal.kind == kind]), LOOKS[kind], 1.3, kind == "elliptic",
                name=kind)
         for kind in LOOKS if counts[kind]
     )  # fmt: skip
-    net = congruence.focal(*grid(ends, FINE)).points
-    net = np.where(np.linalg.norm(net - scene.centre, axis=-1)[..., None] > far, np.nan, net)
-    first, second = (net[:, k].reshape(FINE, FINE, 3) for k in range(2))
     square = (count, count)
     divergence = congruence.divergence(u, v).reshape(square)
-    return Lines(strokes, counts, (first, second), ends, focal.kind.reshape(square), divergence)
+    return Lines(strokes, counts, ends, focal.kind.reshape(square), divergence)
+
+
+def focal_surfaces(congruence: Congruence, scene: Scene) -> Overlay:
+    """Return the two focal surfaces over the window of a scene, as far as they are near."""
+    net = congruence.focal(*grid(window(scene.chart), FINE)).points
+    far = np.linalg.norm(net - scene.centre, axis=-1) > REACH * float(np.ptp(scene.w))
+    net = np.where(far[..., None], np.nan, net).reshape(FINE, FINE, 2, 3)
+    sheets, strokes = [], []
+    for k, name in enumerate(("first focal surface", "second focal surface")):
+        places = net[:, :, k]
+        sheets.append(Sheet(places, "kappa", 0.3, name))
+        for rows in (places[::MESH], places.swapaxes(0, 1)[::MESH]):
+            strokes.append(Stroke(_pieces(rows), "kappa", 1.6, name=name))
+    return Overlay(tuple(strokes), (), tuple(sheets))
+
+
+def _pieces(rows: Array) -> Array:
+    """Return the rows as one stroke, which is lifted off between them."""
+    return np.concatenate([rows, np.full((len(rows), 1, 3), np.nan)], axis=1).reshape(-1, 3)
 
 
 # -- the view --------------------------------------------------------------------------------------

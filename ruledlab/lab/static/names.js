@@ -1,7 +1,8 @@
 // What ipywidgets leaves out for those who use keyboard or screen reader: names for slider handles,
 // fields, menus and the player's buttons; toggles that say whether they are pressed; folds that open
-// by keyboard. It keeps the keys pressed in the app from JupyterLab, for which a letter is a command on
-// the whole cell, and tells the kernel whether the page is dark.
+// by keyboard; the role of what is spoken when it changes. It keeps the keys pressed in the app from
+// JupyterLab, for which a letter is a command on the whole cell, and tells the kernel whether the
+// page is dark.
 
 const PLAYER = ["play or pause", "stop and go back to the start", "repeat"];
 const TOGGLES = ":is(.widget-toggle-button, .widget-play button:nth-child(3)):not([aria-pressed])";
@@ -36,6 +37,7 @@ function name(root) {
   for (const label of within(root, ".ruledlab-label")) follow(label);
   for (const part of within(root, ".noUi-handle, input, select"))
     if (![...(part.labels ?? [])].some(said)) give(part, words(part));
+  for (const part of within(root, ".ruledlab-live:not([role])")) part.setAttribute("role", "status");
   for (const button of within(root, ".widget-play button")) {
     const { title, children } = button.parentElement;
     give(button, [PLAYER[[...children].indexOf(button)], title].filter(Boolean).join(": "));
@@ -79,9 +81,12 @@ function reflect(node, className, part, attribute) {
   tell();
 }
 
-/** Whether the page may have a key: shortcuts such as saving, and Shift + Enter, which runs on. */
+/** Whether the page may have a key: shortcuts such as saving, and Shift + Enter, which runs on; in an
+ *  exercise it is an Enter, and the answer is not lost. */
 const isThePages = (event) =>
-  event.ctrlKey || event.metaKey || (event.shiftKey && event.key === "Enter");
+  event.ctrlKey ||
+  event.metaKey ||
+  (event.shiftKey && event.key === "Enter" && !event.target.closest(".ruledlab-exercise"));
 
 /** Keep the app's keys from the page; return the function that ends it. */
 function keepKeys(app) {
