@@ -14,7 +14,7 @@ pytest.importorskip("pythreejs")
 
 import ipywidgets
 
-from ruledlab.lab.flat import Flat
+from ruledlab.lab.flat import Flat, by_hand
 from ruledlab.lab.handles import Grip, Handles
 from ruledlab.lab.palette import DARK, LIGHT
 from ruledlab.lab.sight import FIELD_OF_VIEW, Eye
@@ -164,10 +164,22 @@ def test_a_handle_of_a_drawing_asks_for_a_place_on_its_axes():
     made.close()
 
 
+@pytest.mark.parametrize(
+    ("value", "span", "shown"), [(0.123456, 1.0, 0.1235), (3.14159265, 6.28, 3.1416),
+                                 (12.3456, 30.0, 12.346), (0.000123456, 0.01, 0.000123),
+                                 (123456.7, 1e7, 123457.0)]
+)  # fmt: skip
+def test_a_number_by_hand_is_short(value, span, shown):
+    assert by_hand(value, span) == shown
+    assert abs(by_hand(value, span) - value) <= 0.5e-3 * span
+
+
 def test_a_drawing_has_to_be_told():
     made = Handles()
     with pytest.raises(ValueError, match="`sight`"):
-        made.draw([])
+        made.draw([Grip(np.zeros(3), "point", "cursor", "it")])
+    made.draw([])  # none can be drawn anywhere
+    assert made.picture["handles"] == []
     made.close()
 
 

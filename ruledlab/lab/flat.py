@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Final
 
@@ -9,7 +10,7 @@ import numpy as np
 
 from ..geometry.checks import Array
 
-__all__ = ["Flat"]
+__all__ = ["Flat", "by_hand"]
 
 EDGE: Final = 1e-6
 """What lies beside the plot by no more than this part of its size is still on its edge."""
@@ -54,3 +55,8 @@ class Flat:
                 0.0,
             ]
         )
+
+
+def by_hand(value: float, span: float) -> float:
+    """Return a number of an axis as exact as a hand is: short to read, and within a pixel."""
+    return round(value, max(0, 4 - math.floor(math.log10(span))))

@@ -117,12 +117,12 @@ class Handles(anywidget.AnyWidget):
 
     def draw(self, grips: Sequence[Grip], sight: Sight | None = None) -> None:
         """Show handles in place of those shown before; over a drawing ``sight`` is needed."""
-        self._grips = tuple(grips)
-        self._sight = self._view.eye if self._view is not None else sight
-        if self._sight is None:
+        sight = sight if self._view is None else self._view.eye
+        if grips and sight is None:
             raise ValueError("handles over a drawing need its `sight`: pass a Flat")
-        handles = [_handle(grip, self._sight) for grip in self._grips]
-        self.picture = {"size": list(self._sight.size), "handles": handles}
+        self._grips, self._sight = tuple(grips), sight
+        handles = [_handle(grip, sight) for grip in self._grips]
+        self.picture = {"size": list(sight.size) if sight else [1, 1], "handles": handles}
 
     def on_grasp(self, callback: Callable[[Grasp], None]) -> Callable[[], None]:
         """Call back with each `Grasp`; return the function that ends this."""

@@ -30,6 +30,8 @@ from ..controls import (
     is_design_of,
     plain,
 )
+from ..flat import by_hand
+from ..handles import Grasp, Grip, Handles
 from ..pad import DomainPad
 from ..plots import sticky_limits
 from ..scenes.comparison import (
@@ -38,6 +40,7 @@ from ..scenes.comparison import (
     Comparison,
     compare,
     excursions,
+    flat,
     in_words,
     number_lines,
     picture,
@@ -154,13 +157,18 @@ class PrintedAndMended(LabApp):
         self._views = [self.pad]
         self._groups = [self.chooser, self.points, self.fields, self.time, self.history]
         self._groups.append(self.gallery)
-        self._releases.append(connect(self.pad, self.points))
+        self.handle = Handles()
+        self._releases += [
+            connect(self.pad, self.points),
+            self.handle.close,
+            self.handle.on_grasp(lambda grasp: self.time.guard(lambda: self._grasp(grasp))),
+        ]
         design = w.HBox([self.gallery.widget, self.history.widget]).add_class("ruledlab-bar")
         edit = w.VBox([self.points.widget, self.fields.widget])
         self.assemble(
             w.VBox([self.chooser.bar, self.chooser.w.widget]),
             self.formulas,
-            self.picture,
+            w.Box([self.picture, self.handle]).add_class("ruledlab-space"),
             self.time.widget,
             self.numbers,
             self.note,
@@ -197,6 +205,8 @@ class PrintedAndMended(LabApp):
             made = self.comparison
             over_t = made is not None and made.t.size > 0
             self.time.widget.layout.display = None if over_t else "none"
+            if not over_t:
+                self.handle.draw([])
             if made is None:
                 self.picture.value = self.numbers.value = ""
             elif made.t.size:
@@ -212,8 +222,14 @@ class PrintedAndMended(LabApp):
         entry, cursor = self.chooser.entry, self.lab.cursor
         words = " ".join((in_words(entry, made), *excursions(made, limits[0])))
         self.picture.value = picture(made, limits, cursor, words)
+        foot = Grip(np.array([cursor, 0.0, 0.0]), "point", "cursor", "t, along the curves")
+        self.handle.draw([foot], flat(made))
         self.numbers.value = table(self._rows(made, cursor))
         self.note.value = _note(words)
+
+    def _grasp(self, grasp: Grasp) -> None:
+        low, high = self.lab.result.surface.domain
+        self.lab.move_cursor(by_hand(min(max(float(grasp.place[0]), low), high), high - low))
 
     def _rows(self, made: Comparison, cursor: float) -> list[tuple[str, float, float]]:
         """Return the values at the cursor, and those that are farthest apart, if any are."""

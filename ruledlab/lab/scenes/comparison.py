@@ -16,6 +16,7 @@ import numpy as np
 from ...geometry import RuledSurface, gallery
 from ...geometry.checks import Array
 from ...printed import PRINTED, Finding
+from ..flat import Flat
 from ..palette import DARK, LIGHT, Theme
 from ..plots import Limits, number_ticks, peaks, sticky_limits, undefined_ranges
 
@@ -25,6 +26,7 @@ __all__ = [
     "Comparison",
     "compare",
     "excursions",
+    "flat",
     "in_words",
     "number_lines",
     "picture",
@@ -244,6 +246,12 @@ WIDTH, LEFT, RIGHT = 760.0, 70.0, 14.0
 PANELS = ((30.0, 190.0), (252.0, 96.0))
 """Top and height of the two frames: both curves, and their difference."""
 
+FOOT = PANELS[1][0] + PANELS[1][1]
+"""Where the axis of t is in the picture of two curves."""
+
+TALL = FOOT + 40
+"""The height of that picture."""
+
 
 def _rules(theme: Theme) -> str:
     where = 'body[data-jp-theme-light="false"] ' if theme.dark else ""
@@ -295,13 +303,18 @@ def picture(made: Comparison, limits: Sequence[Limits], cursor: float, words: st
     legend = _legend(((LEFT, "is-printed", "as printed"), (LEFT + 150, "is-mended", "mended")))
     heads = _text(WIDTH - RIGHT, 20, f"{name} ({unit})", "end")
     heads += _text(LEFT, PANELS[1][0] - 8, f"printed − mended ({unit})")
-    foot = PANELS[1][0] + PANELS[1][1]
     ticks = "".join(
-        _text(_place(t, across, LEFT, WIDTH - RIGHT), foot + 17, text, "middle")
+        _text(_place(t, across, LEFT, WIDTH - RIGHT), FOOT + 17, text, "middle")
         for t, text in number_ticks(across, 6)
     )
-    ticks += _text((LEFT + WIDTH - RIGHT) / 2, foot + 34, "t", "middle")
-    return _svg(foot + 40, legend + heads + frames + ticks, words)
+    ticks += _text((LEFT + WIDTH - RIGHT) / 2, FOOT + 34, "t", "middle")
+    return _svg(TALL, legend + heads + frames + ticks, words)
+
+
+def flat(made: Comparison) -> Flat:
+    """Return where a t is in the picture; its upper frame goes from 0 up to 1."""
+    (top, height), ends = PANELS[0], (float(made.t[0]), float(made.t[-1]))
+    return Flat((WIDTH, TALL), (LEFT, top), (WIDTH - LEFT - RIGHT, height), ends, (0.0, 1.0))
 
 
 def number_lines(made: Comparison, words: str) -> str:
