@@ -41,6 +41,10 @@ LAYERS: tuple[frozenset[str], ...] = tuple(
         "lab.scenes.congruence_chart lab.scenes.congruence_numbers lab.scenes.straightened",
         "lab.slate",
         "lab.state lab.scenes.moving",
+        "lab.controls.group",
+        "lab.controls.number",
+        "lab.controls.course lab.controls.fields lab.controls.look lab.controls.points "
+        "lab.controls.readouts",
         "lab.controls lab.plots lab.view3d lab.pad lab.cells",
         "lab.share lab.arc_plots lab.handles",
         "lab.scenes.dual_graph lab.scenes.comparison lab.scenes.once_round",
@@ -72,7 +76,7 @@ LAYER = {name: height for height, names in enumerate(LAYERS) for name in names}
 GEOMETRY_MAY_USE = {"numpy", "scipy", "ruledlab"} | set(sys.stdlib_module_names)
 ONE_DOOR = {"pythreejs": "lab.view3d", "matplotlib": "lab.plots"}
 WIDGETS = {"ipywidgets", "anywidget", "pythreejs", "matplotlib", "IPython", "traitlets"}
-WIDGETS_FROM = LAYER["lab.controls"]
+WIDGETS_FROM = LAYER["lab.controls.group"]
 FORBIDDEN_CALLS = {"eval", "exec", "__import__"}
 
 

@@ -731,7 +731,7 @@ def test_gallery(bench, key):
 @pytest.fixture
 def clock(monkeypatch):
     clock = SimpleNamespace(now=100.0)
-    monkeypatch.setattr(controls, "time", SimpleNamespace(monotonic=lambda: clock.now))
+    monkeypatch.setattr(controls.group, "time", SimpleNamespace(monotonic=lambda: clock.now))
     return clock
 
 
