@@ -21,7 +21,7 @@ from ruledlab.exercises.lesson_01 import from_one_value, inverse, product
 from ruledlab.geometry import Dual, FormulaError, GeometryError
 from ruledlab.lab import dual_numbers
 from ruledlab.lab.apps.lesson_01 import MENU, DualNumbers
-from ruledlab.lab.plots import Limits
+from ruledlab.lab.axes import Limits
 from ruledlab.lab.scenes.dual_graph import (
     PLACES,
     STEP_SPAN,

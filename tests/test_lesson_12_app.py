@@ -25,8 +25,8 @@ from ruledlab.exercises.lesson_12 import EVEN, UNEVEN
 from ruledlab.exercises.store import Store
 from ruledlab.geometry import GeometryError, gallery
 from ruledlab.lab import printed_and_mended
+from ruledlab.lab.axes import Limits
 from ruledlab.lab.controls import design_of
-from ruledlab.lab.plots import Limits
 from ruledlab.lab.scenes import comparison
 from ruledlab.lab.scenes.comparison import NAMES, Comparison, at_poles, compare, picture
 from ruledlab.printed import PRINTED, finding

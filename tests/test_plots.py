@@ -20,10 +20,7 @@ from hypothesis import strategies as st
 pytest.importorskip("anywidget")
 pytest.importorskip("matplotlib")
 
-from ruledlab.lab.palette import DARK, LIGHT
-from ruledlab.lab.plots import (
-    QUANTITIES,
-    CurvePlots,
+from ruledlab.lab.axes import (
     Limits,
     angle_limits,
     angle_ticks,
@@ -36,6 +33,8 @@ from ruledlab.lab.plots import (
     sticky_limits,
     undefined_ranges,
 )
+from ruledlab.lab.palette import DARK, LIGHT
+from ruledlab.lab.plots import QUANTITIES, CurvePlots
 
 NAN = math.nan
 T = np.linspace(0.0, 1.0, 401)

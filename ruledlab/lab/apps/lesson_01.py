@@ -10,6 +10,7 @@ import ipywidgets as w
 import numpy as np
 
 from ...geometry import FormulaError, function
+from ..axes import Limits
 from ..controls import (
     Group,
     HistoryControl,
@@ -20,7 +21,6 @@ from ..controls import (
     readable,
 )
 from ..handles import Grasp, Grip, Handles
-from ..plots import Limits
 from ..scenes.dual_graph import (
     STEP_SPAN,
     STYLE,

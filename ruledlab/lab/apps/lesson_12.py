@@ -17,6 +17,7 @@ from ...design import Design
 from ...geometry import gallery
 from ...geometry.checks import Array, GeometryError
 from ...printed import PRINTED, Finding, finding
+from ..axes import sticky_limits
 from ..controls import (
     FieldControl,
     GalleryControl,
@@ -33,7 +34,6 @@ from ..controls import (
 from ..flat import by_hand
 from ..handles import Grasp, Grip, Handles
 from ..pad import DomainPad
-from ..plots import sticky_limits
 from ..scenes.comparison import (
     NAMES,
     ROUNDING,

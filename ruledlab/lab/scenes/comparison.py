@@ -16,9 +16,9 @@ import numpy as np
 from ...geometry import RuledSurface, gallery
 from ...geometry.checks import Array
 from ...printed import PRINTED, Finding
+from ..axes import Limits, number_ticks, peaks, sticky_limits, undefined_ranges
 from ..flat import Flat
 from ..palette import DARK, LIGHT, Theme
-from ..plots import Limits, number_ticks, peaks, sticky_limits, undefined_ranges
 
 __all__ = [
     "NAMES",

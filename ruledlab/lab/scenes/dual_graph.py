@@ -17,9 +17,9 @@ import numpy as np
 
 from ...geometry import Function, GeometryError, Lifted, function
 from ...geometry.checks import Array, frozen
+from ..axes import Limits, number_ticks, sticky_limits
 from ..flat import Flat
 from ..palette import DARK, LIGHT, Theme
-from ..plots import Limits, number_ticks, sticky_limits
 
 __all__ = [
     "STEP_SPAN",
