@@ -12,6 +12,7 @@ from ipywidgets.widgets.widget import _instances
 
 from ruledlab import lab
 from ruledlab.lab import apps
+from ruledlab.lab.handles import Handles
 
 APPS: dict[str, Callable[[], Any]] = {
     "studio": lab.studio,
@@ -84,6 +85,27 @@ def test_every_control_to_both_ends_and_back(app: Any) -> None:
         if said(app) != before and hasattr(app, "history"):
             app.history.reset.click()  # a menu that loads something has no way back of its own
         assert said(app) == before, words
+
+
+def test_every_handle_to_far_corners_and_back(app: Any) -> None:
+    """One drag of each handle, far out of the picture; undo, or the way back, ends where it began."""
+    for drag, handles in enumerate(part for part in parts(app) if isinstance(part, Handles)):
+        for index, handle in enumerate(handles.picture["handles"]):
+            if handle["x"] is None:
+                continue
+            before = said(app)
+            for x, y in ((-3e3, -3e3), (3e3, 3e3), (handle["x"] + 30, handle["y"] - 20)):
+                handles.motion = ["view", 100 * drag + index, index, x, y]
+                assert defects(app) == [], handle["label"]
+            handles.motion = ["view", 100 * drag + index, index, handle["x"], handle["y"]]
+            if said(app) != before:
+                app.history.undo.click()
+            assert said(app) == before, handle["label"]
+
+
+def test_a_star_brings_every_app_along() -> None:
+    assert set(apps.LESSON_APPS) <= set(lab.__all__)
+    assert all(callable(getattr(lab, name)) for name in apps.LESSON_APPS)
 
 
 def test_undo_and_redo_lead_there_and_back(app: Any) -> None:

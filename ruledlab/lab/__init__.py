@@ -9,6 +9,7 @@ from .apps import chart, example, sphere, studio, surface
 from .state import Lab
 
 __all__ = ["Lab", "chart", "example", "sphere", "studio", "surface"]
+__all__ += apps.LESSON_APPS  # imported when asked for, see below
 
 
 def __getattr__(name: str) -> Any:
@@ -19,4 +20,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted([*__all__, *apps.LESSON_APPS])
+    return sorted(__all__)

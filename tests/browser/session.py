@@ -449,6 +449,10 @@ class NotebookPage:
             found += [f"dark={dark}: {line}" for line in self.page.evaluate(BARRIERS)]
         return found
 
+    def faults(self) -> list[str]:
+        """All that must not be on a page: errors, barriers, what sticks out."""
+        return [*self.errors(), *self.console_errors, *self.sticks_out(), *self.barriers()]
+
     def control_names(self, root: str) -> list[tuple[str, str]]:
         """Role and name of every control in the first `root`, as the browser tells assistants."""
         browser = self.page.context.new_cdp_session(self.page)

@@ -3,13 +3,9 @@
 from __future__ import annotations
 
 from .session import LabSession
-from .test_lessons import LESSONS, in_sight, run_whole
+from .test_lessons import LESSONS, in_sight, right_answer, run_whole
 
 PICTURE = ".ruledlab-dual"
-RIGHT = """\
-from ruledlab.exercises import find, seed
-print(find("01.1").task(seed()).right_answer())
-"""
 
 
 def test_lesson_01_lives(lab: LabSession) -> None:
@@ -49,10 +45,8 @@ def test_lesson_01_lives(lab: LabSession) -> None:
         answer.fill("[0, 0]")
         answer.press("Enter")
         card.get_by_text("begun").wait_for()
-        answer.fill(page.kernel_exec(RIGHT).strip())
+        answer.fill(right_answer(page, "01.1"))
         answer.press("Enter")
         card.get_by_text("✓ done").wait_for()
         page.screenshot("lesson-01-exercise")
-        assert page.errors() == []
-        assert page.barriers() == []
-        assert page.console_errors == []
+        assert page.faults() == []

@@ -64,6 +64,4 @@ def test_an_exercise_of_lesson_04_is_answered(lesson: NotebookPage) -> None:
     card.get_by_role("button", name="Check").first.click()
     card.get_by_text("✓ done").wait_for()
     lesson.screenshot("lesson-04-exercise")
-    assert lesson.errors() == []
-    assert lesson.barriers() == []
-    assert lesson.console_errors == []
+    assert lesson.faults() == []

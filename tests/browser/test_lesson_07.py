@@ -3,11 +3,7 @@
 from __future__ import annotations
 
 from .session import HANDLE, THREE, LabSession, NotebookPage
-from .test_lessons import LESSONS, in_sight, run_whole
-
-ANSWER = (
-    "from ruledlab.exercises import find, seed; print(find('07.1').task(seed()).right_answer())"
-)
+from .test_lessons import LESSONS, answer_the_first, in_sight, run_whole
 
 
 def look_around(page: NotebookPage) -> None:
@@ -54,12 +50,7 @@ def test_lesson_07_lives(lab: LabSession) -> None:
         page.wait_still(THREE)
         page.screenshot("lesson-07")
 
-        card = page.page.locator(".ruledlab-exercise").first
-        card.scroll_into_view_if_needed()
-        field = card.locator(".ruledlab-field input")
-        field.fill(page.kernel_exec(ANSWER).strip())
-        field.press("Enter")
-        card.get_by_text("✓ done").wait_for()
+        answer_the_first(page, "07.1")
 
         page.dark()
         page.command("application:toggle-left-area")
@@ -68,7 +59,4 @@ def test_lesson_07_lives(lab: LabSession) -> None:
         in_sight(page, THREE)
         page.wait_still(THREE)
         page.screenshot("lesson-07-narrow-dark")
-        assert page.sticks_out() == []
-        assert page.errors() == []
-        assert page.barriers() == []
-        assert page.console_errors == []
+        assert page.faults() == []

@@ -50,6 +50,4 @@ def test_an_exercise_of_lesson_12_is_answered(lesson: NotebookPage) -> None:
         card.get_by_role("button", name="This line").first.click()
         card.get_by_text(word).first.wait_for()
     lesson.screenshot("lesson-12-exercise")
-    assert lesson.errors() == []
-    assert lesson.barriers() == []
-    assert lesson.console_errors == []
+    assert lesson.faults() == []

@@ -237,6 +237,19 @@ function renderSketch({ model, el }) {
 
   const label = (value) => String(Math.round(value * 100) / 100).replace("-", "−");
 
+  const EIGHTH = Math.PI / 4;
+  const isWhole = (value) => Math.abs(value - Math.round(value)) < 1e-9;
+  const byAngle = isWhole(t0 / EIGHTH) && isWhole(t1 / EIGHTH);
+
+  /** A t as text: a fraction of π where t runs between such. */
+  function place(t) {
+    const eighths = Math.round(t / EIGHTH);
+    if (!byAngle || !isWhole(t / EIGHTH) || eighths === 0) return label(t);
+    const under = [4, 2, 1].find((part) => eighths % part === 0);
+    const over = Math.abs(eighths / under);
+    return `${t < 0 ? "−" : ""}${over === 1 ? "" : over}π${under === 4 ? "" : `/${4 / under}`}`;
+  }
+
   function drawAxes() {
     axes.replaceChildren();
     const [bottom, right] = [HEIGHT - MARGIN.bottom, width - MARGIN.right];
@@ -244,7 +257,7 @@ function renderSketch({ model, el }) {
     for (let k = 0; k <= 4; k++) {
       const x = px((k * last) / 4);
       svg("path", axes, { class: "ruledlab-grid-line", d: `M${x} ${MARGIN.top}V${bottom}` });
-      svg("text", axes, { x, y: bottom + 16, "text-anchor": "middle" }, label(t0 + ((t1 - t0) * k) / 4));
+      svg("text", axes, { x, y: bottom + 16, "text-anchor": "middle" }, place(t0 + ((t1 - t0) * k) / 4));
     }
     if (y0 < 0 && y1 > 0) {
       svg("path", axes, { class: "ruledlab-zero", d: `M${MARGIN.left} ${py(0)}H${right}` });
