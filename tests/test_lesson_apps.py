@@ -88,7 +88,7 @@ def test_every_control_to_both_ends_and_back(app: Any) -> None:
 
 
 def test_every_handle_to_far_corners_and_back(app: Any) -> None:
-    """One drag of each handle, far out of the picture; undo, or the way back, ends where it began."""
+    """One drag far out of the picture; undo, or the way back, ends where it began."""
     for drag, handles in enumerate(part for part in parts(app) if isinstance(part, Handles)):
         for index, handle in enumerate(handles.picture["handles"]):
             if handle["x"] is None:
