@@ -459,3 +459,21 @@ def test_values_vary_with_the_seed_and_kinds_differ() -> None:
     for exercise in every[2:]:
         assert len({exercise.task(str(seed)).question + str(
             getattr(exercise.task(str(seed)), "lines", "")) for seed in range(9)}) > 1  # fmt: skip
+
+
+def test_the_foot_of_the_line_moves_h(app):
+    (foot,) = app.foot.picture["handles"]
+    drawn = re.search(
+        r'd="M([\d.]+) [\d.]+V([\d.]+)" stroke="[^"]+" stroke-width="1.5"', app.graph.value
+    )
+    assert (foot["x"], foot["y"]) == pytest.approx(tuple(map(float, drawn.groups())), abs=0.06)
+    size = app.foot.picture["size"]
+    assert f'viewBox="0 0 {size[0]:g} {size[1]:g}"' in app.graph.value
+    before = app.motion.value.exponent
+    app.foot.motion = ["view", 1, 0, foot["x"] - 100.0, foot["y"] - 50.0]
+    per_power = (322.0 - 44.0) / 2.7
+    assert app.motion.value.exponent == pytest.approx(before - 100.0 / per_power, abs=6e-3)
+    app.foot.motion = ["view", 1, 0, -500.0, 0.0]
+    assert app.motion.value.exponent == -3.0
+    app.history.undo.click()
+    assert app.motion.value.exponent == before

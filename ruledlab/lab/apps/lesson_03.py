@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import functools
 import html
+import math
 from typing import Any
 
 import ipywidgets as w
+import numpy as np
 
 from ...geometry.checks import GeometryError
 from ...geometry.formula import FormulaError
@@ -21,10 +23,11 @@ from ..controls import (
     plain,
     readable,
 )
+from ..handles import Grasp, Grip, Handles
 from ..palette import DARK, LIGHT, Theme
 from ..scene import Scene
 from ..scenes.moving import FIRST, SECOND, STARTS, Motion, Moving, Near, picture, said, start, words
-from ..scenes.shrinking import orders_html, shrinking, shrinking_svg
+from ..scenes.shrinking import FLAT, orders_html, shrinking, shrinking_svg
 from ..slate import Change
 from ..view3d import SurfaceView
 from .base import App
@@ -189,6 +192,12 @@ class StepControl(Group):
         self.follow(motion, self.update)
         self.update(Change(scene=True))
 
+    def grasp(self, grasp: Grasp) -> None:
+        """Move h to where the foot of its line is wanted."""
+        low, high = self.exponent.ends
+        to = min(max(round(float(grasp.place[0]), 2), low), high)
+        self._motion.edit("exponent", ("handle", *grasp.drag), exponent=to)
+
     def _set(self, name: str, value: float) -> None:
         self._motion.edit(name, self._strokes.token(name), **{name: value})
 
@@ -225,16 +234,22 @@ class MovingLine(App):
         )
         self.shape.click(self.home, lambda: self.view.reset_view())
         self.numbers, self.graph, self.legend = w.HTML(), w.HTML(), w.HTML(_legend(LIGHT))
+        self.foot = Handles()
+        self._releases += [
+            self.foot.close,
+            self.foot.on_grasp(lambda grasp: self.steps.guard(lambda: self.steps.grasp(grasp))),
+        ]
         self._theme = LIGHT
         self._views = [self.view]
         self._groups = [self.shape, self.steps, self.time, self.history]
         self.assemble(self._grid())
 
     def _grid(self) -> Any:
+        graph = w.Box([self.graph, self.foot]).add_class("ruledlab-space")
         parts = {
             "head": w.Box([self.shape.menu, self.history.widget, self.home]),
             "hand": w.VBox([self.shape.widget, self.steps.widget]),
-            "edit": w.VBox([self.numbers, self.graph]),
+            "edit": w.VBox([self.numbers, graph]),
             "right": w.VBox([self.view.widget, self.time.widget, self.legend]),
             "foot": w.VBox([self.shape.note]),
         }
@@ -270,6 +285,8 @@ class MovingLine(App):
         found = shrinking(surface, pair.t)
         picture = shrinking_svg(found, pair.h, self._theme)
         self.graph.value = picture + orders_html(found, self._theme)
+        place = np.array([math.log10(pair.h), 0.0, 0.0])
+        self.foot.draw([Grip(place, "point", "cursor", "h, the step to the neighbour")], FLAT)
 
 
 def numbers_html(pair: Near) -> str:

@@ -15,9 +15,10 @@ import numpy as np
 
 from ...geometry.checks import Array
 from ...geometry.surface import RuledSurface
+from ..flat import Flat
 from ..palette import Theme
 
-__all__ = ["Shrinking", "ahead", "order", "orders_html", "shrinking", "shrinking_svg"]
+__all__ = ["FLAT", "Shrinking", "ahead", "order", "orders_html", "shrinking", "shrinking_svg"]
 
 STEPS: Final = 10.0 ** np.linspace(-3.0, -0.3, 28)
 NAMES: Final = {
@@ -33,6 +34,12 @@ FLOOR: Final = {"angle": 1e-9, "distance": 1e-11, "off": 1e-9}
 WIDTH, HEIGHT = 330.0, 178.0
 LEFT, RIGHT, TOP, BOTTOM = 44.0, 322.0, 8.0, 146.0
 LOWEST, HIGHEST = -7.0, 1.0
+EXPONENTS: Final = (math.log10(STEPS[0]), math.log10(STEPS[-1]))
+
+FLAT: Final = Flat(
+    (WIDTH, HEIGHT), (LEFT, TOP), (RIGHT - LEFT, BOTTOM - TOP), EXPONENTS, (0.0, 1.0)
+)
+"""Where log₁₀ h is in the picture, whose plot goes from 0 up to 1."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -134,7 +141,7 @@ def shrinking_svg(found: Shrinking, h: float, theme: Theme) -> str:
 
 
 def _across(h: float | Array) -> Array:
-    low, high = math.log10(STEPS[0]), math.log10(STEPS[-1])
+    low, high = EXPONENTS
     return np.asarray(LEFT + (RIGHT - LEFT) * (np.log10(h) - low) / (high - low))
 
 
