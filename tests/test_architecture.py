@@ -32,6 +32,8 @@ LAYERS: tuple[frozenset[str], ...] = tuple(
         "printed.entry printed.parts",
         "printed.as_printed printed.as_defined printed.notes",
         "printed.findings",
+        "lab.shaders.common",
+        "lab.shaders.globe lab.shaders.mark lab.shaders.overlay lab.shaders.surface",
         "__init__ printed design pair lab.palette lab.shaders lab.glyphs lab.axes",
         "export lab.scene lab.overlay lab.signs lab.colouring lab.meshes",
         "lab.textures",
