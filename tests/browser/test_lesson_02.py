@@ -41,6 +41,8 @@ def test_two_lines_are_moved_and_an_exercise_is_answered(lab: LabSession) -> Non
         assert page.handle("given point of line B") == pytest.approx(at, abs=0.5)
         page.page.get_by_role("button", name="direction of line A").focus()
         page.page.keyboard.press("ArrowUp")
+        outline = "() => getComputedStyle(document.activeElement).outlineStyle"
+        assert page.page.evaluate(outline) == "none"  # its own ring says that it has the focus
         turned = page.wait_change(second, THREE)
         assert turned != third
 
