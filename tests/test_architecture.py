@@ -35,9 +35,9 @@ LAYERS: tuple[frozenset[str], ...] = tuple(
         "lab.shaders.common",
         "lab.shaders.globe lab.shaders.mark lab.shaders.overlay lab.shaders.surface",
         "__init__ printed design pair lab.palette lab.shaders lab.glyphs lab.axes",
-        "export lab.scene lab.overlay lab.signs lab.colouring lab.meshes",
+        "export lab.scene lab.overlay lab.signs lab.colouring lab.meshes lab.markup lab.flat",
         "lab.textures",
-        "lab.sight lab.flat",
+        "lab.sight",
         "lab.scenes lab.scenes.along lab.scenes.bend lab.scenes.line_pair lab.scenes.congruence "
         "lab.scenes.shrinking",
         "lab.scenes.dual_graph lab.scenes.comparison",

@@ -188,7 +188,7 @@ def test_a_design_that_is_being_worked_on_is_kept(store: Store) -> None:
 
 def pull(card: Card, index: int, by: tuple[float, float], drag: int = 1) -> None:
     """Move a handle in the picture by pixels, as the browser reports it."""
-    handles = card.box.figure.handles
+    handles = card.box.figure.grips
     handle = handles.picture["handles"][index]
     handles.motion = ["view", drag, index, handle["x"] + by[0], handle["y"] + by[1]]
 

@@ -14,6 +14,7 @@ pytest.importorskip("pythreejs")
 
 import ipywidgets
 
+from ruledlab.lab.axes import Limits
 from ruledlab.lab.flat import Flat, by_hand
 from ruledlab.lab.handles import Grip, Handles
 from ruledlab.lab.palette import DARK, LIGHT
@@ -124,7 +125,7 @@ def test_the_handles_follow_the_camera(handles):
 
 # -- over a drawing ----------------------------------------------------------------------------
 
-DRAWING = Flat((500.0, 300.0), (40.0, 10.0), (450.0, 260.0), (-2.0, 4.0), (-1.0, 0.5))
+DRAWING = Flat((500.0, 300.0), (40.0, 10.0), (450.0, 260.0), Limits(-2.0, 4.0), Limits(-1.0, 0.5))
 
 
 @given(st.floats(-2, 4), st.floats(-1, 0.5))

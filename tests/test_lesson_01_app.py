@@ -300,17 +300,17 @@ def test_a_stroke_is_one_step_of_undo(app: DualNumbers) -> None:
 def pull(app: DualNumbers, index: int, to: float, drag: int = 1) -> None:
     """Drag a handle to where x is `to`, whatever the height."""
     window = 600 / (WINDOW.high - WINDOW.low)
-    app.handles.motion = ["view", drag, index, 46 + (to - WINDOW.low) * window, 10.0]
+    app.grips.motion = ["view", drag, index, 46 + (to - WINDOW.low) * window, 10.0]
 
 
 def test_the_handles_stand_on_the_drawn_dots(app: DualNumbers) -> None:
     tree = ElementTree.fromstring(app.picture.value)
-    for kind, handle in zip(("point", "tip"), app.handles.picture["handles"], strict=True):
+    for kind, handle in zip(("point", "tip"), app.grips.picture["handles"], strict=True):
         dot = part(tree, kind)
         assert (handle["x"], handle["y"]) == pytest.approx(
             (dot["cx"] + 46, dot["cy"] + 8), abs=0.02
         )
-    assert tree.get("viewBox") == "-46 -8 {:g} {:g}".format(*app.handles.picture["size"])
+    assert tree.get("viewBox") == "-46 -8 {:g} {:g}".format(*app.grips.picture["size"])
 
 
 def test_the_point_moves_x_and_the_tip_moves_the_step(app: DualNumbers) -> None:
@@ -338,10 +338,10 @@ def test_where_there_is_no_value_there_is_no_tip_but_a_way_out(
 ) -> None:
     app.control.typed.value = formula
     pull(app, 0, 0.0)
-    (only,) = app.handles.picture["handles"]
+    (only,) = app.grips.picture["handles"]
     assert only["x"] is not None
     pull(app, 0, 1.0)
-    assert len(app.handles.picture["handles"]) == 2
+    assert len(app.grips.picture["handles"]) == 2
 
 
 def test_an_undefined_value_is_named_and_gone_again(app: DualNumbers) -> None:

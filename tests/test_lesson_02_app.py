@@ -140,8 +140,8 @@ def test_reverse_changes_both_signs_of_the_chosen_line_only(app, name):
 
 def pull(app, index, by, drag=1):
     """Move a handle in the picture by pixels."""
-    handle = app.handles.picture["handles"][index]
-    app.handles.motion = ["view", drag, index, handle["x"] + by[0], handle["y"] + by[1]]
+    handle = app.grips.picture["handles"][index]
+    app.grips.motion = ["view", drag, index, handle["x"] + by[0], handle["y"] + by[1]]
     return handle
 
 
@@ -153,7 +153,7 @@ def test_the_disc_takes_the_line_along_as_it_points(app, index, name):
     assert (after.u, after.v) == (before.u, before.v)
     assert after.point.tolist() != before.point.tolist()
     assert app.slate.value == replace(other, **{name: after})
-    now = app.handles.picture["handles"][index]  # within the rounding to 0.01
+    now = app.grips.picture["handles"][index]  # within the rounding to 0.01
     assert (now["x"], now["y"]) == pytest.approx((handle["x"] + 30, handle["y"] - 20), abs=0.6)
     assert app.lines.which.value == name
     assert app.lines.numbers["x"].field.value == f"{after.x:g}"
@@ -162,12 +162,12 @@ def test_the_disc_takes_the_line_along_as_it_points(app, index, name):
 @pytest.mark.parametrize(("index", "name"), [(1, "a"), (3, "b")])
 def test_the_diamond_turns_the_line_about_its_given_point(app, index, name):
     before = getattr(app.slate.value, name)
-    pivot, tip = app.handles.picture["handles"][index - 1 : index + 1]
+    pivot, tip = app.grips.picture["handles"][index - 1 : index + 1]
     pull(app, index, (-25, 35))
     after = getattr(app.slate.value, name)
     assert (after.x, after.y, after.z) == (before.x, before.y, before.z)
     assert (after.u, after.v) != (before.u, before.v)
-    still, now = app.handles.picture["handles"][index - 1 : index + 1]
+    still, now = app.grips.picture["handles"][index - 1 : index + 1]
     assert still == pivot
     wanted = complex(tip["x"] - 25 - pivot["x"], tip["y"] + 35 - pivot["y"])
     found = complex(now["x"] - pivot["x"], now["y"] - pivot["y"])
@@ -202,7 +202,7 @@ def test_a_handle_keeps_within_the_reach_of_the_sliders(app):
 
 
 def test_the_handles_have_names(app):
-    labels = [handle["label"] for handle in app.handles.picture["handles"]]
+    labels = [handle["label"] for handle in app.grips.picture["handles"]]
     assert labels == [f"{what} of line {n}" for n in "AB" for what in ("given point", "direction")]
 
 

@@ -104,22 +104,22 @@ def test_what_is_constant_is_told_so() -> None:
 
 
 def test_the_cursor_is_taken_at_its_foot(app) -> None:
-    (foot,) = app.handle.picture["handles"]
+    (foot,) = app.foot.picture["handles"]
     tree = svg(app.picture.value)
     (line, *_) = (n.get("d") for n in tree.iter() if n.get("class") == "is-cursor")
     x, bottom = re.fullmatch(r"M([\d.]+),[\d.]+V([\d.]+)", line).groups()
     assert (foot["x"], foot["y"]) == pytest.approx((float(x), float(bottom)), abs=0.06)
-    assert tree.get("viewBox") == "0 0 {:.0f} {:.0f}".format(*app.handle.picture["size"])
+    assert tree.get("viewBox") == "0 0 {:.0f} {:.0f}".format(*app.foot.picture["size"])
     per_t = comparison.WIDTH - comparison.LEFT - comparison.RIGHT
-    app.handle.motion = ["view", 1, 0, foot["x"] + 0.3 * per_t, -70.0]
+    app.foot.motion = ["view", 1, 0, foot["x"] + 0.3 * per_t, -70.0]
     assert app.lab.cursor == pytest.approx(0.55, abs=2e-4)
     assert len(app.time.t.field.value) <= 6
-    app.handle.motion = ["view", 1, 0, 5000.0, 0.0]
+    app.foot.motion = ["view", 1, 0, 5000.0, 0.0]
     assert app.lab.cursor == 1.0
     app.chooser.menu.value = "pitch_24"  # one number for the whole surface
-    assert app.handle.picture["handles"] == []
+    assert app.foot.picture["handles"] == []
     app.chooser.menu.value = "tau"
-    assert len(app.handle.picture["handles"]) == 1
+    assert len(app.foot.picture["handles"]) == 1
 
 
 def test_where_both_agree_no_place_is_farthest_apart(app) -> None:

@@ -15,7 +15,6 @@ import numpy as np
 import traitlets
 
 from ..lab.apps import chart
-from ..lab.apps.base import Page
 from ..lab.apps.lesson_02 import LinesFigure
 from ..lab.controls import FieldControl, Group, HistoryControl
 from ..lab.palette import DARK, LIGHT
@@ -482,8 +481,8 @@ class PlaceBox(GoalBox):
 
 
 def _control(group: Any) -> Part:
-    """Return a control in a box that names its parts, as an app does, and what closes it."""
-    box = w.VBox([Page(), group.widget, group.defect])
+    """Return a control in a box of an app's looks, and what closes it."""
+    box = w.VBox([group.widget, group.defect])
     box.add_class("ruledlab")
     return box, group.release
 

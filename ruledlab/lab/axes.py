@@ -18,6 +18,7 @@ from ..geometry.checks import Array
 __all__ = [
     "CONSTANT",
     "HUGE",
+    "SUPERSCRIPT",
     "ZERO",
     "Limits",
     "Ticks",
@@ -38,7 +39,7 @@ __all__ = [
 
 # ------------------------------------------------------------------------------ numbers as text
 
-_SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def minus(text: str) -> str:
@@ -51,7 +52,7 @@ def scientific(value: float, digits: int) -> str:
     mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
     if "." in mantissa:
         mantissa = mantissa.rstrip("0").rstrip(".")
-    return f"{minus(mantissa)}·10{str(int(exponent)).translate(_SUPERSCRIPT)}"
+    return f"{minus(mantissa)}·10{str(int(exponent)).translate(SUPERSCRIPT)}"
 
 
 def brief(value: float, digits: int = 3) -> str:
@@ -233,7 +234,7 @@ def _shared(value: float, exponent: int, decimals: int) -> str:
     """Return a value by a power of ten that others share; zero stays plain."""
     if value == 0:
         return "0"
-    power = str(exponent).translate(_SUPERSCRIPT)
+    power = str(exponent).translate(SUPERSCRIPT)
     return f"{minus(f'{value / 10.0**exponent:.{decimals}f}')}·10{power}"
 
 

@@ -9,6 +9,7 @@ from typing import Final
 import numpy as np
 
 from ..geometry.checks import Array
+from .axes import Limits
 
 __all__ = ["Flat", "by_hand"]
 
@@ -27,19 +28,19 @@ class Flat:
     corner, area
         upper left corner of the plot within it, and the plot's width and height.
     x, y
-        the limits of the axes, (low, high).
+        the limits of the axes.
     """
 
     size: tuple[float, float]
     corner: tuple[float, float]
     area: tuple[float, float]
-    x: tuple[float, float]
-    y: tuple[float, float]
+    x: Limits
+    y: Limits
 
     def seen(self, point: Array) -> tuple[float, float, float]:
         """Return where a point is in the drawing, and 1 in sight, 0 outside of the plot."""
-        across = (float(point[0]) - self.x[0]) / (self.x[1] - self.x[0])
-        down = (self.y[1] - float(point[1])) / (self.y[1] - self.y[0])
+        across = (float(point[0]) - self.x.low) / self.x.span
+        down = (self.y.high - float(point[1])) / self.y.span
         inside = all(abs(part - 0.5) <= 0.5 + EDGE for part in (across, down))
         (left, top), (width, height) = self.corner, self.area
         return left + across * width, top + down * height, float(inside)
@@ -48,13 +49,7 @@ class Flat:
         """Return the point at a place of the drawing."""
         (left, top), (width, height) = self.corner, self.area
         across, down = (x - left) / width, (y - top) / height
-        return np.array(
-            [
-                self.x[0] + across * (self.x[1] - self.x[0]),
-                self.y[1] - down * (self.y[1] - self.y[0]),
-                0.0,
-            ]
-        )
+        return np.array([self.x.low + across * self.x.span, self.y.high - down * self.y.span, 0.0])
 
 
 def by_hand(value: float, span: float) -> float:

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from typing import Any, Final, Protocol
 
 import anywidget
+import ipywidgets as w
 import traitlets
 
 from ..geometry.checks import Array
@@ -91,7 +92,7 @@ class Grasp:
 
 
 class Handles(anywidget.AnyWidget):
-    """Handles in a picture; a box with the class ``ruledlab-space`` holds both.
+    """Handles in a picture; `over` gives the box that holds both.
 
     Parameters
     ----------
@@ -123,6 +124,10 @@ class Handles(anywidget.AnyWidget):
         self._grips, self._sight = tuple(grips), sight
         handles = [_handle(grip, sight) for grip in self._grips]
         self.picture = {"size": list(sight.size) if sight else [1, 1], "handles": handles}
+
+    def over(self, picture: Any) -> Any:
+        """Return a box with a picture and, over it, these handles."""
+        return w.Box([picture, self]).add_class("ruledlab-space")
 
     def on_grasp(self, callback: Callable[[Grasp], None]) -> Callable[[], None]:
         """Call back with each `Grasp`; return the function that ends this."""

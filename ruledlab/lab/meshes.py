@@ -94,7 +94,8 @@ def _parts(parts: Iterable[tuple[int, int]], boxes: Iterable[Array]) -> Shape:
 
 def marks() -> Shape:
     """Return the cursor: its ruling, the striction point, and the frame with heads and letters."""
-    line, head, disc, label = 0, 1, 2, 3
+    line, head = shaders.LINE_KIND, shaders.HEAD_KIND
+    disc, label = shaders.DISC_KIND, shaders.LABEL_KIND
     parts = [(0, line), *((i, kind) for i in (1, 2, 3) for kind in (line, head)), (4, disc)]
     parts += [(i, label) for i in (1, 2, 3)]
     return _parts(parts, (SQUARE if kind >= disc else CORNERS for _, kind in parts))

@@ -24,6 +24,7 @@ __all__ = [
     "looking",
     "outline",
     "turned",
+    "upright",
 ]
 
 FIELD_OF_VIEW: Final = 34.0  # degrees
@@ -37,12 +38,16 @@ MARGIN: Final = 1.04
 NEAREST: Final = 1e-6  # the least depth of what is seen
 
 
+def upright(towards: Array) -> Array:
+    """Return right, up and a unit vector towards the eye of who stands there upright, as rows."""
+    right = np.cross((0.0, 0.0, 1.0), towards)
+    right /= np.linalg.norm(right)
+    return np.stack([right, np.cross(towards, right), towards])
+
+
 def looking(away: Array) -> tuple[float, ...]:
     """Quaternion of a camera that stands in the direction ``away`` and looks back, z upwards."""
-    z = away / np.linalg.norm(away)
-    x = np.cross((0.0, 0.0, 1.0), z)
-    x /= np.linalg.norm(x)
-    y = np.cross(z, x)
+    x, y, z = upright(away / np.linalg.norm(away))
     # four times the squares of the components; the largest is the safe one to divide by
     squares = np.array(
         [
@@ -105,10 +110,9 @@ def distance_to_see(points: Array, to: Array, wide: float, high: float) -> float
 
     ``wide`` and ``high`` are the tangents of half the angles of sight.
     """
-    right = np.cross((0.0, 0.0, 1.0), to)
-    right /= np.linalg.norm(right)
+    right, up, _ = upright(to)
     beside = np.abs(points @ right) / wide
-    above = np.abs(points @ np.cross(to, right)) / high
+    above = np.abs(points @ up) / high
     return MARGIN * float(np.max(np.maximum(beside, above) + points @ to))
 
 

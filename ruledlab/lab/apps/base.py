@@ -12,6 +12,7 @@ import traitlets
 
 from ..cells import closes_with_cell
 from ..controls import Group, PointControl
+from ..handles import Grasp, Handles
 from ..pad import DomainPad, PadRequest
 from ..palette import DARK, LIGHT, Theme
 from ..plots import CurvePlots
@@ -63,6 +64,17 @@ class App(w.VBox):
         self._releases.append(self._page.unobserve_all)
         self.update(Change(scene=True, mark=True, chosen=True, loaded=True))
         closes_with_cell(self.close)
+
+    def handles(
+        self, group: Group, grasped: Callable[[Grasp], None], view: SurfaceView | None = None
+    ) -> Handles:
+        """Return handles that live as long as the app; what they ask for runs under a guard."""
+        made = Handles(view)
+        self._releases += [
+            made.close,
+            made.on_grasp(lambda grasp: group.guard(lambda: grasped(grasp))),
+        ]
+        return made
 
     def update(self, change: Change) -> None:
         """Draw what changed; a subclass says how."""

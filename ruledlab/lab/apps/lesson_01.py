@@ -20,7 +20,7 @@ from ..controls import (
     plain,
     readable,
 )
-from ..handles import Grasp, Grip, Handles
+from ..handles import Grasp, Grip
 from ..scenes.dual_graph import (
     STEP_SPAN,
     STYLE,
@@ -187,19 +187,16 @@ class DualNumbers(App):
         self.formula = w.HTMLMath()
         super().__init__(slate)
         self.control, self.history = DualControl(slate), HistoryControl(slate)
-        self.handles = Handles()
-        self._releases += [self.handles.close, self.handles.on_grasp(self._grasp)]
+        self.grips = self.handles(self.control, self.control.grasp)
         self._groups = [self.control, self.history]
         side = [self.history.widget, self.control.widget, self.formula, self.numbers, self.words]
-        stage = w.Box([self.picture, self.handles]).add_class("ruledlab-space")
-        left = w.VBox([stage, w.HTML(KEY)], layout=w.Layout(flex="3 1 340px"))
+        left = w.VBox(
+            [self.grips.over(self.picture), w.HTML(KEY)], layout=w.Layout(flex="3 1 340px")
+        )
         pair = w.HBox([left, w.VBox(side, layout=w.Layout(flex="2 1 320px"))]).add_class(
             "ruledlab-pair"
         )
         self.assemble(w.HTML(STYLE), pair)
-
-    def _grasp(self, grasp: Grasp) -> None:
-        self.control.guard(lambda: self.control.grasp(grasp))
 
     def update(self, change: Change) -> None:
         """Draw what changed; the axis of heights begins anew with another function."""
@@ -209,7 +206,7 @@ class DualNumbers(App):
         present = self._limits if self._drawn == scene.f.text else None
         self._limits, self._drawn = height_limits(scene, present), scene.f.text
         self.picture.value = picture(scene, self._limits)
-        self.handles.draw(grips(scene), flat(self._limits))
+        self.grips.draw(grips(scene), flat(self._limits))
         self.numbers.value = readout(scene)
         self.formula.value = f"$f(x) = {scene.f.latex}$"
         text = html.escape(words(scene))

@@ -7,12 +7,10 @@ from dataclasses import replace
 from typing import Any, Final
 
 import ipywidgets as w
-import numpy as np
 
-from ...geometry.checks import Array
 from ...pair import SPANS, OneLine, Pair, TwoLines, between
-from ..controls import Group, HistoryControl, NumberControl, Strokes
-from ..handles import Grasp, Grip, Handles
+from ..controls import Group, HistoryControl, NumberControl, Strokes, home_button
+from ..handles import Grasp, Grip
 from ..overlay import Overlay
 from ..scenes.line_pair import (
     COLOURS,
@@ -23,7 +21,7 @@ from ..scenes.line_pair import (
     sight,
     words,
 )
-from ..sight import away
+from ..sight import away, upright
 from ..slate import Change, Slate
 from ..view3d import SurfaceView
 from .base import App
@@ -138,8 +136,7 @@ class LookControl(Group):
         room = w.Layout(width="auto")
         self.moments = w.Checkbox(value=True, description="moments", indent=False, layout=room)
         self.sphere = w.Checkbox(value=True, description="unit sphere", indent=False, layout=room)
-        self.home = w.Button(description="view", icon="home", layout=room)
-        self.home.tooltip = "look from the usual side, all of it in sight"
+        self.home = home_button()
 
 
 class LinesFigure(App):
@@ -159,8 +156,8 @@ class LinesFigure(App):
             LineControl(slate),
             LookControl(),
         )
-        self.history, self.handles = HistoryControl(slate), Handles(self.view)
-        self._releases += [self.handles.close, self.handles.on_grasp(self._grasp)]
+        self.history = HistoryControl(slate)
+        self.grips = self.handles(self.lines, self.lines.grasp, self.view)
         self.view.sphere("off")
         self._views, self._groups = [self.view], [self.lines, self.look, self.history]
         for box in (self.look.moments, self.look.sphere):
@@ -175,22 +172,18 @@ class LinesFigure(App):
     def _places(self) -> dict[str, list[Any]]:
         """Return the places of the grid and what stands in each."""
         look = self.look
-        stage = w.Box([self.view.widget, self.handles]).add_class("ruledlab-space")
         return {
             "head": [self.history.widget, look.moments, look.sphere, look.home],
             "hand": [self.lines.widget],
-            "right": [stage],
+            "right": [self.grips.over(self.view.widget)],
         }
 
     def _part(self, name: str, widgets: list[Any]) -> Any:
         kind = w.Box if name == "head" else w.VBox
         return kind(widgets).add_class(f"ruledlab-{name}")
 
-    def _grasp(self, grasp: Grasp) -> None:
-        self.lines.guard(lambda: self.lines.grasp(grasp))
-
     def _home(self) -> None:
-        self.view.frame(*sight(self._picture(), _axes(), WIDTH / HEIGHT))
+        self.view.frame(*sight(self._picture(), upright(away()), WIDTH / HEIGHT))
 
     def _picture(self) -> Overlay:
         return picture(
@@ -201,7 +194,7 @@ class LinesFigure(App):
         """Draw both lines."""
         if change.scene:
             self.view.overlay(self._picture())
-            self.handles.draw(grips(self.slate.value))
+            self.grips.draw(grips(self.slate.value))
             self.view.describe(words(self.slate.result))
         if change.loaded:
             self._home()
@@ -226,14 +219,6 @@ class TwoLinesApp(LinesFigure):
         if change.scene:
             self.of_pair.value = pair_html(self.slate.result)
             self.of_lines.value = lines_html(self.slate.result)
-
-
-def _axes() -> Array:
-    """Return right, up and towards the eye for who looks from the usual side, as rows."""
-    towards = away()
-    right = np.cross((0.0, 0.0, 1.0), towards)
-    right /= np.linalg.norm(right)
-    return np.stack([right, np.cross(towards, right), towards])
 
 
 def two_lines(lines: TwoLines | None = None) -> TwoLinesApp:

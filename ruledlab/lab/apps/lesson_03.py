@@ -20,11 +20,13 @@ from ..controls import (
     Strokes,
     TimeControl,
     error_html,
+    home_button,
     plain,
     readable,
 )
-from ..handles import Grasp, Grip, Handles
-from ..palette import DARK, LIGHT, Theme
+from ..handles import Grasp, Grip
+from ..markup import legend, numbers_table
+from ..palette import DARK, LIGHT
 from ..scene import Scene
 from ..scenes.moving import FIRST, SECOND, STARTS, Motion, Moving, Near, picture, said, start, words
 from ..scenes.shrinking import FLAT, orders_html, shrinking, shrinking_svg
@@ -226,30 +228,20 @@ class MovingLine(App):
         self.view.show(frame=False)
         self.shape, self.steps = ShapeControl(motion), StepControl(motion)
         self.time, self.history = _Time(motion), HistoryControl(motion)  # type: ignore[arg-type]
-        self.home = w.Button(
-            description="view",
-            icon="home",
-            tooltip="look from the usual side, all of it in sight",
-            layout=w.Layout(width="auto", min_width="64px"),
-        )
+        self.home = home_button()
         self.shape.click(self.home, lambda: self.view.reset_view())
-        self.numbers, self.graph, self.legend = w.HTML(), w.HTML(), w.HTML(_legend(LIGHT))
-        self.foot = Handles()
-        self._releases += [
-            self.foot.close,
-            self.foot.on_grasp(lambda grasp: self.steps.guard(lambda: self.steps.grasp(grasp))),
-        ]
+        self.numbers, self.graph, self.legend = w.HTML(), w.HTML(), w.HTML(legend(LEGEND, LIGHT))
+        self.foot = self.handles(self.steps, self.steps.grasp)
         self._theme = LIGHT
         self._views = [self.view]
         self._groups = [self.shape, self.steps, self.time, self.history]
         self.assemble(self._grid())
 
     def _grid(self) -> Any:
-        graph = w.Box([self.graph, self.foot]).add_class("ruledlab-space")
         parts = {
             "head": w.Box([self.shape.menu, self.history.widget, self.home]),
             "hand": w.VBox([self.shape.widget, self.steps.widget]),
-            "edit": w.VBox([self.numbers, graph]),
+            "edit": w.VBox([self.numbers, self.foot.over(self.graph)]),
             "right": w.VBox([self.view.widget, self.time.widget, self.legend]),
             "foot": w.VBox([self.shape.note]),
         }
@@ -261,7 +253,7 @@ class MovingLine(App):
         """Change the picture to the light or the dark theme, and the legend with it."""
         super().restyle(dark)
         self._theme = DARK if dark else LIGHT
-        self.legend.value = _legend(self._theme)
+        self.legend.value = legend(LEGEND, self._theme)
         self._draw_graph()
 
     def update(self, change: Change) -> None:
@@ -301,23 +293,9 @@ def numbers_html(pair: Near) -> str:
         ("foot p to m", "‖p − m‖", said(pair.off), "length"),
         ("way from c to m", "μ", said(pair.along), "length"),
     )
-    body = "".join(
-        f"<tr><td>{name} <i>{symbol}</i></td><td>{value}</td><td>{unit}</td></tr>"
-        for name, symbol, value, unit in rows
-    )
     why = "".join(_note(html.escape(f"{reason}.")) for reason in pair.reasons)
-    return f'<table class="ruledlab-numbers">{body}</table>{why}'
+    return numbers_table(rows) + why
 
 
 def _note(text: str) -> str:
     return f'<div class="ruledlab-note">{text}</div>'
-
-
-def _legend(theme: Theme) -> str:
-    """Return which colour is what; the words stand in the page's own colour."""
-    parts = "&emsp;".join(
-        f'<span style="white-space:nowrap"><span aria-hidden="true" style="color:'
-        f'{theme.quantity(name)}">■</span> {text}</span>'
-        for name, text in LEGEND
-    )
-    return _note(parts)

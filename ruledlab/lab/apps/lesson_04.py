@@ -22,6 +22,7 @@ from ..controls import (
     TimeControl,
     design_of,
     error_html,
+    home_button,
     plain,
 )
 from ..overlay import Overlay
@@ -217,8 +218,7 @@ class AlongTheRulings(LabApp):
         self.gallery, self.points = GalleryControl(lab), PointControl(lab)
         self.axis, self.special = PlotControl(lab, self.plots), SpecialControl(lab)
         self.numbers = NumbersControl(lab)
-        self.home = w.Button(description="view", icon="home", layout=w.Layout(width="auto"))
-        self.home.tooltip = "look from the usual side, all of it in sight"
+        self.home = home_button()
         self.numbers.click(self.home, lambda: self.view.reset_view(lab.result.scene))
         self.equations, self.words = w.HTML(), w.HTML()
         self._fixed, self._largest = Overlay(), 0.0

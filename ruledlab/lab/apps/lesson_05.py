@@ -21,8 +21,9 @@ from ..controls import (
     Player,
     Strokes,
     TimeControl,
+    home_button,
 )
-from ..handles import Grasp, Grip, Handles
+from ..handles import Grasp, Grip
 from ..scenes.bend import (
     STYLE,
     Bend,
@@ -103,8 +104,7 @@ class Place(Group):
             indent=False,
             layout=w.Layout(width="auto"),
         )
-        self.home = w.Button(description="view", icon="home", layout=w.Layout(width="auto"))
-        self.home.tooltip = "look from the usual side, all of it in sight"
+        self.home = home_button()
         self.on(self.colour, "value", app.lab.colour)
         self.on(self.fan, "value", lambda _: app.show())
         self.click(self.home, app.view.reset_view)
@@ -139,17 +139,14 @@ class Bending(LabApp):
         self.view, self.time = SurfaceView(560, 430), TimeControl(lab)
         self.gallery, self.history = GalleryControl(lab), HistoryControl(self.spot)
         self.place, self._strokes = Place(self, 0.5 * lab.design.length), Strokes()
-        self.point, self.dots = Handles(self.view), Handles()
+        self.point = self.handles(self.place, self.drag, self.view)
+        self.dots = self.handles(self.place, self.slide)
         self._good: tuple[Design, Bend] | None = None
         self._views = [self.view]
         self._groups = [self.place, self.time, self.gallery, self.history]
         self._releases += [
             self.spot.follow(self._moved),
             self.view.on_pick(lambda t, w: self.place.guard(lambda: self.pick(t, w))),
-            self.point.close,
-            self.point.on_grasp(lambda grasp: self.place.guard(lambda: self.drag(grasp))),
-            self.dots.close,
-            self.dots.on_grasp(lambda grasp: self.place.guard(lambda: self.slide(grasp))),
         ]
         self.view.sphere("off")
         self.view.show(frame=False)
@@ -160,13 +157,9 @@ class Bending(LabApp):
         head = [self.gallery.widget, self.history.widget, self.place.colour, self.legend]
         under = w.HBox([self.place.fan, self.place.home]).add_class("ruledlab-bar")
         moved = [self.time.widget, self.place.w.widget, under]
-        look, along = (
-            w.Box(pair).add_class("ruledlab-space")
-            for pair in ([self.view.widget, self.point], [self.picture, self.dots])
-        )
         parts = [
-            w.VBox([look, *moved]),
-            w.VBox([along, self.curved]),
+            w.VBox([self.point.over(self.view.widget), *moved]),
+            w.VBox([self.dots.over(self.picture), self.curved]),
             self.forms,
         ]
         return (

@@ -22,6 +22,7 @@ from ..controls import (
     Strokes,
     TimeControl,
     error_html,
+    home_button,
     plain,
 )
 from ..overlay import Overlay, Sheet
@@ -86,12 +87,7 @@ class CongruenceControl(Group):
             value=False, description="focal surfaces", indent=False, layout=room
         )
         self.grid = w.Checkbox(value=True, description="lines", indent=False, layout=room)
-        self.home = w.Button(
-            description="view",
-            icon="home",
-            tooltip="look from the usual side, all of it in sight",
-            layout=room,
-        )
+        self.home = home_button()
         self.develop = w.Button(
             description="make it developable",
             tooltip="another v̄ along this curve, so that κ̄ = 0 everywhere",

@@ -24,10 +24,11 @@ from ..controls import (
     design_of,
     plain,
 )
+from ..markup import legend
 from ..palette import DARK, LIGHT
 from ..scenes.once_round import (
+    LEGEND,
     Ways,
-    legend_html,
     numbers_html,
     overlay_of,
     path_of,
@@ -167,7 +168,7 @@ class OnceRound(LabApp):
         self.size, self.own = SizeControl(lab), Group()
         words = "w₀, how far from the striction point the trajectory starts"
         self.start = NumberControl(self.own, "w₀", words, (-1.5, 1.5), 0.01, self.begin)
-        self.legend = w.HTML(legend_html(LIGHT))
+        self.legend = w.HTML(legend(LEGEND, LIGHT))
         self.region, self.numbers, self.seam, self.shrunk = (w.HTML() for _ in range(4))
         self._full: tuple[Design, Dual | None] | None = None
         self._w0, self._path = 0.3, path_of(lab.result.surface, 0.3)
@@ -190,7 +191,7 @@ class OnceRound(LabApp):
     def restyle(self, dark: bool) -> None:
         """Change the picture to the light or the dark theme, and the legend with it."""
         super().restyle(dark)
-        self.legend.value = legend_html(DARK if dark else LIGHT)
+        self.legend.value = legend(LEGEND, DARK if dark else LIGHT)
 
     def begin(self, w0: float) -> None:
         """Start the orthogonal trajectory elsewhere on the first ruling."""

@@ -32,7 +32,7 @@ from ..controls import (
     plain,
 )
 from ..flat import by_hand
-from ..handles import Grasp, Grip, Handles
+from ..handles import Grasp, Grip
 from ..pad import DomainPad
 from ..scenes.comparison import (
     NAMES,
@@ -157,18 +157,14 @@ class PrintedAndMended(LabApp):
         self._views = [self.pad]
         self._groups = [self.chooser, self.points, self.fields, self.time, self.history]
         self._groups.append(self.gallery)
-        self.handle = Handles()
-        self._releases += [
-            connect(self.pad, self.points),
-            self.handle.close,
-            self.handle.on_grasp(lambda grasp: self.time.guard(lambda: self._grasp(grasp))),
-        ]
+        self._releases.append(connect(self.pad, self.points))
+        self.foot = self.handles(self.time, self._grasp)
         design = w.HBox([self.gallery.widget, self.history.widget]).add_class("ruledlab-bar")
         edit = w.VBox([self.points.widget, self.fields.widget])
         self.assemble(
             w.VBox([self.chooser.bar, self.chooser.w.widget]),
             self.formulas,
-            w.Box([self.picture, self.handle]).add_class("ruledlab-space"),
+            self.foot.over(self.picture),
             self.time.widget,
             self.numbers,
             self.note,
@@ -206,7 +202,7 @@ class PrintedAndMended(LabApp):
             over_t = made is not None and made.t.size > 0
             self.time.widget.layout.display = None if over_t else "none"
             if not over_t:
-                self.handle.draw([])
+                self.foot.draw([])
             if made is None:
                 self.picture.value = self.numbers.value = ""
             elif made.t.size:
@@ -222,8 +218,8 @@ class PrintedAndMended(LabApp):
         entry, cursor = self.chooser.entry, self.lab.cursor
         words = " ".join((in_words(entry, made), *excursions(made, limits[0])))
         self.picture.value = picture(made, limits, cursor, words)
-        foot = Grip(np.array([cursor, 0.0, 0.0]), "point", "cursor", "t, along the curves")
-        self.handle.draw([foot], flat(made))
+        place = np.array([cursor, 0.0, 0.0])
+        self.foot.draw([Grip(place, "point", "cursor", "t, along the curves")], flat(made))
         self.numbers.value = table(self._rows(made, cursor))
         self.note.value = _note(words)
 

@@ -16,6 +16,7 @@ from .group import (
     Strokes,
     defect_html,
     error_html,
+    home_button,
     plain,
     readable,
 )
@@ -42,6 +43,7 @@ __all__ = [
     "defect_html",
     "design_of",
     "error_html",
+    "home_button",
     "is_design_of",
     "plain",
     "readable",

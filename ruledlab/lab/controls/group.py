@@ -25,6 +25,7 @@ __all__ = [
     "button",
     "defect_html",
     "error_html",
+    "home_button",
     "menu",
     "plain",
     "readable",
@@ -200,6 +201,11 @@ def button(words: str, icon: str, tooltip: str) -> Any:
         tooltip=tooltip,
         layout=w.Layout(width="auto", min_width="64px"),
     )
+
+
+def home_button() -> Any:
+    """Return the button that brings a picture of space back into sight."""
+    return button("view", "home", "look from the usual side, all of it in sight")
 
 
 def menu(words: str, options: list[tuple[str, str]], value: str) -> Any:

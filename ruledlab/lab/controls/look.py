@@ -9,7 +9,7 @@ import ipywidgets as w
 from ..scene import SYMBOLS
 from ..slate import Change
 from ..state import Lab
-from .group import Group, Strokes, button, menu, plain
+from .group import Group, Strokes, home_button, menu, plain
 from .number import NumberControl
 
 __all__ = ["LookControl"]
@@ -35,7 +35,7 @@ class LookControl(Group):
         self.sphere = menu(
             "sphere", [("inset", "inset"), ("large", "large"), ("off", "off")], "inset"
         )
-        self.home = button("view", "home", "look from the usual side, all of it in sight")
+        self.home = home_button()
         self.legend = w.HTML(layout=w.Layout(min_height="0"))
         self.length = NumberControl(
             self, "length", "length of the drawn rulings", (0.1, 10.0), 0.05, self._set_length

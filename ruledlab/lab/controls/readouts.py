@@ -7,6 +7,8 @@ import math
 
 import ipywidgets as w
 
+from ..axes import minus
+from ..markup import numbers_table
 from ..slate import Change
 from ..state import Lab
 from .group import Group
@@ -59,15 +61,9 @@ def _closed_html(lab: Lab) -> str:
         ("pitch", "l", shift, "length"),
         ("dual angle of pitch", "Λ = λ + ε l", both, ""),
     )
-    body = "".join(
-        f"<tr><td>{name} <i>{symbol}</i></td><td>{value.replace('-', '−')}</td><td>{unit}</td></tr>"
-        for name, symbol, value, unit in rows
-    )
+    table = numbers_table((name, symbol, minus(value), unit) for name, symbol, value, unit in rows)
     note = _as_clause(html.escape(result.pitch_note))
-    return (
-        f'<table class="ruledlab-numbers">{body}</table>'
-        f'<div class="ruledlab-note" role="status">The surface {note}.</div>'
-    )
+    return f'{table}<div class="ruledlab-note" role="status">The surface {note}.</div>'
 
 
 def _as_clause(note: str) -> str:

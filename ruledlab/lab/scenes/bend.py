@@ -12,7 +12,9 @@ import numpy as np
 
 from ...geometry import RuledSurface, TangentPlanes, tangent_planes
 from ...geometry.checks import Array
+from ..axes import Limits
 from ..flat import Flat
+from ..markup import numbers_table
 from ..overlay import Dot, Label, Overlay, Sheet, Stroke
 from ..palette import DARK, LIGHT, Theme
 
@@ -184,8 +186,8 @@ TALL: Final = FOOT + 34
 
 def flat(found: Bend) -> Flat:
     """Return where a w is in the picture; heights there are those of the drawing, downwards."""
-    area, half = (WIDE - LEFT - END, TALL), found.half
-    return Flat((WIDE, TALL), (LEFT, 0.0), area, (-half, half), (-TALL, 0.0))
+    area, across = (WIDE - LEFT - END, TALL), Limits(-found.half, found.half)
+    return Flat((WIDE, TALL), (LEFT, 0.0), area, across, Limits(-TALL, 0.0))
 
 
 def spots(found: Bend) -> tuple[tuple[str, Array], ...]:
@@ -327,11 +329,7 @@ def _said(value: float) -> str:
 
 
 def _table(rows: Sequence[tuple[str, str, float, str]]) -> str:
-    body = "".join(
-        f"<tr><td>{name} <i>{symbol}</i></td><td>{_said(value)}</td><td>{unit}</td></tr>"
-        for name, symbol, value, unit in rows
-    )
-    return f'<table class="ruledlab-numbers">{body}</table>'
+    return numbers_table((name, symbol, _said(value), unit) for name, symbol, value, unit in rows)
 
 
 def curvatures(found: Bend) -> str:

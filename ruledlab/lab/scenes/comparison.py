@@ -291,7 +291,7 @@ def picture(made: Comparison, limits: Sequence[Limits], cursor: float, words: st
         the text alternative.
     """
     ((name, unit),) = made.names
-    across = Limits(float(made.t[0]), float(made.t[-1]))
+    across = _across(made)
     curves = (
         (("is-mended", made.mended), ("is-printed", made.printed)),
         (("is-off", made.difference),),
@@ -313,8 +313,12 @@ def picture(made: Comparison, limits: Sequence[Limits], cursor: float, words: st
 
 def flat(made: Comparison) -> Flat:
     """Return where a t is in the picture; its upper frame goes from 0 up to 1."""
-    (top, height), ends = PANELS[0], (float(made.t[0]), float(made.t[-1]))
-    return Flat((WIDTH, TALL), (LEFT, top), (WIDTH - LEFT - RIGHT, height), ends, (0.0, 1.0))
+    (top, height), area = PANELS[0], WIDTH - LEFT - RIGHT
+    return Flat((WIDTH, TALL), (LEFT, top), (area, height), _across(made), Limits(0.0, 1.0))
+
+
+def _across(made: Comparison) -> Limits:
+    return Limits(float(made.t[0]), float(made.t[-1]))
 
 
 def number_lines(made: Comparison, words: str) -> str:

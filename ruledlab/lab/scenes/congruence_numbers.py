@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from ...geometry import GeometryError, RuledSurface, enclosed
 from ...geometry.checks import Array
+from ..markup import numbers_table
 from .congruence import Place
 
 __all__ = ["Enclosure", "enclosure", "numbers_html"]
@@ -53,11 +54,7 @@ def numbers_html(at: Place, delta: float, pitch: float, loop: Enclosure) -> str:
         ("flux through the loop", "", _number(loop.flux), loop.reason or "length"),
         ("pitch of the loop", "l", _number(pitch), "length"),
     )
-    body = "".join(
-        f"<tr><td>{name} <i>{symbol}</i></td><td>{value}</td><td>{unit}</td></tr>"
-        for name, symbol, value, unit in rows
-    )
-    return f'<table class="ruledlab-numbers">{body}</table>'
+    return numbers_table(rows)
 
 
 def _pair(values: Array, kind: str) -> str:

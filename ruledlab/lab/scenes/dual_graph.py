@@ -146,8 +146,7 @@ def _rung(size: float) -> float:
 
 def flat(limits: Limits) -> Flat:
     """Return where the places of the plot are in the drawing."""
-    window = (WINDOW.low, WINDOW.high)
-    return Flat(SIZE, (LEFT, TOP), (WIDTH, HEIGHT), window, (limits.low, limits.high))
+    return Flat(SIZE, (LEFT, TOP), (WIDTH, HEIGHT), WINDOW, limits)
 
 
 def picture(scene: DualScene, limits: Limits) -> str:

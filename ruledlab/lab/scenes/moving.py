@@ -19,6 +19,7 @@ from ...geometry.dual import Dual
 from ...geometry.series import Series
 from ...geometry.surface import RuledSurface
 from ...geometry.vector import vector
+from ..axes import SUPERSCRIPT
 from ..overlay import Dot, Label, Overlay, Stroke
 from ..scene import Scene, build_scene, plain_scene
 from ..slate import Change, Slate
@@ -395,13 +396,10 @@ def said(value: float, zero: float = 1e-9) -> str:
         return "–"
     if zero <= abs(value) < 1e-3:
         digits, power = f"{value:.3e}".split("e")
-        text = f"{digits}·10{str(int(power)).translate(RAISED)}"
+        text = f"{digits}·10{str(int(power)).translate(SUPERSCRIPT)}"
     else:
         text = f"{value:.6f}" if abs(value) < 1e5 else f"{value:.4g}"
     return text.replace("-0.000000", "0.000000").replace("-", "−")
-
-
-RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 # -- the state -------------------------------------------------------------------------------------

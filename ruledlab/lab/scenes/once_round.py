@@ -29,14 +29,14 @@ from ...geometry import (
     winding_numbers,
 )
 from ...geometry.checks import Array
+from ..axes import scientific
 from ..overlay import Dot, Label, Overlay, Sheet, Stroke
-from ..palette import Theme
 from ..state import Lab
 
 __all__ = [
+    "LEGEND",
     "Path",
     "Ways",
-    "legend_html",
     "numbers_html",
     "overlay_of",
     "path_of",
@@ -369,8 +369,8 @@ def _doubts(ways: Ways) -> str:
         return said
     if region.off > EXACT:
         said += (
-            f" The flux is certain to {_power(region.off)} only: the divergence is very rough "
-            "inside the region."
+            f" The flux is certain to {scientific(region.off, 1)} only: the divergence is very "
+            "rough inside the region."
         )
     if abs(region.tau_bar_from_flux + float(ways.total.dual)) > region.off + JUMPING:
         said += (
@@ -448,26 +448,9 @@ def _shown(value: float, digits: int) -> str:
 def _beside(value: float, first: float, off: float = 0.0) -> str:
     """Return a number with its difference from the first way's; no digit that is not certain."""
     digits = 9 if off <= EXACT else max(0, math.ceil(-math.log10(off)))
-    apart = f"differs by {_power(value - first)}" if value != first else "no difference"
-    about = "" if off <= EXACT else f" ± {_power(off)}"
+    apart = f"differs by {scientific(value - first, 1)}" if value != first else "no difference"
+    about = "" if off <= EXACT else f" ± {scientific(off, 1)}"
     return f"{_shown(value, digits)}{about}<br><small>{apart}</small>"
-
-
-def _power(value: float) -> str:
-    """Return a small number as 3·10⁻⁹."""
-    figure, power = f"{value:.0e}".split("e")
-    raised = str(int(power)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
-    return f"{figure}·10{raised}".replace("-", "−")
-
-
-def legend_html(theme: Theme) -> str:
-    """Return what is drawn in which colour; the words stand in the page's own."""
-    parts = "&emsp;".join(
-        f'<span style="white-space:nowrap"><span aria-hidden="true" '
-        f'style="color:{theme.quantity(name)}">■</span> {text}</span>'
-        for name, text in LEGEND
-    )
-    return f'<div class="ruledlab-note">{parts}</div>'
 
 
 def words_of(lab: Lab, path: Path) -> str:

@@ -15,6 +15,7 @@ import numpy as np
 
 from ...geometry.checks import Array
 from ...geometry.surface import RuledSurface
+from ..axes import Limits
 from ..flat import Flat
 from ..palette import Theme
 
@@ -34,10 +35,10 @@ FLOOR: Final = {"angle": 1e-9, "distance": 1e-11, "off": 1e-9}
 WIDTH, HEIGHT = 330.0, 178.0
 LEFT, RIGHT, TOP, BOTTOM = 44.0, 322.0, 8.0, 146.0
 LOWEST, HIGHEST = -7.0, 1.0
-EXPONENTS: Final = (math.log10(STEPS[0]), math.log10(STEPS[-1]))
+EXPONENTS: Final = Limits(math.log10(STEPS[0]), math.log10(STEPS[-1]))
 
 FLAT: Final = Flat(
-    (WIDTH, HEIGHT), (LEFT, TOP), (RIGHT - LEFT, BOTTOM - TOP), EXPONENTS, (0.0, 1.0)
+    (WIDTH, HEIGHT), (LEFT, TOP), (RIGHT - LEFT, BOTTOM - TOP), EXPONENTS, Limits(0.0, 1.0)
 )
 """Where log₁₀ h is in the picture, whose plot goes from 0 up to 1."""
 
@@ -141,8 +142,7 @@ def shrinking_svg(found: Shrinking, h: float, theme: Theme) -> str:
 
 
 def _across(h: float | Array) -> Array:
-    low, high = EXPONENTS
-    return np.asarray(LEFT + (RIGHT - LEFT) * (np.log10(h) - low) / (high - low))
+    return np.asarray(LEFT + (RIGHT - LEFT) * (np.log10(h) - EXPONENTS.low) / EXPONENTS.span)
 
 
 def _up(value: float | Array) -> Array:
