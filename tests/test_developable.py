@@ -75,6 +75,7 @@ EQUATOR = Bezier([[0.0, math.pi / 2], [2.0, math.pi / 2]])
 def test_on_the_equator_a_constant_u_bar_leaves_v_bar_free(ubar):
     found = developable_from_ubar(EQUATOR, ubar, -1.5)
     agree(found.vbar(T), np.full(3, -1.5))
+    agree(found.surface.line(T).moment[:, 2], np.full(3, 1.5))  # v̄ x_v, and x_v points down
     agree(found.surface.invariants(T).kappa_bar, np.zeros(3))
 
 

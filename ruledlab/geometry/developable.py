@@ -44,7 +44,7 @@ class Developable:
     ----------
     surface
         the surface, with the whole interface of `RuledSurface`. Its v̄ is a function of t, not of
-        u and v, so it is no design for the chart.
+        u and v, so it is no design for the chart; but for the equator, where v̄ is constant.
     """
 
     surface: RuledSurface
@@ -85,7 +85,10 @@ def developable_from_ubar(curve: Curve, ubar: Any, start: float = 0.0) -> Develo
     chosen = field(ubar, "ubar")
     first = float(finite_array(start, "start"))
     level = _is_parallel(curve)
-    values = (_on_parallel if level else _solved)(curve, chosen, first)
+    if level and _is_equator(curve):
+        values = _on_equator(curve, chosen, first)
+        return Developable(RuledSurface(curve, chosen, first), values)
+    values = _on_parallel(curve, chosen) if level else _solved(curve, chosen, first)
     source = _FromUbar(curve, chosen, values, level)
     return Developable(RuledSurface.from_source(source), values)
 
@@ -133,10 +136,7 @@ def _solved(curve: Curve, ubar: Field, first: float) -> Callable[[Array], Array]
     return lambda t: np.asarray(solved.sol(t)[0])
 
 
-def _on_parallel(curve: Curve, ubar: Field, first: float) -> Callable[[Array], Array]:
-    if _is_equator(curve):
-        return _on_equator(curve, ubar, first)
-
+def _on_parallel(curve: Curve, ubar: Field) -> Callable[[Array], Array]:
     def values(t: Array) -> Array:
         with np.errstate(all="ignore"):
             p, q, _ = _terms(curve, ubar, t, 0)
