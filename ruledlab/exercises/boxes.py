@@ -15,6 +15,7 @@ import numpy as np
 import traitlets
 
 from ..lab.apps import chart
+from ..lab.apps.base import close_all
 from ..lab.apps.lesson_02 import LinesFigure
 from ..lab.controls import FieldControl, Group, HistoryControl
 from ..lab.palette import DARK, LIGHT
@@ -37,6 +38,7 @@ from .core import (
     Task,
 )
 from .record import STYLE
+from .verdict import recognised
 
 __all__ = [
     "LIVE",
@@ -117,16 +119,6 @@ def show(widget: Any, text: str) -> None:
             widget.layout.display = display
     if widget.value != text:
         widget.value = text
-
-
-def close_all(widget: Any) -> None:
-    """Close a widget and all that it is made of."""
-    for child in getattr(widget, "children", ()):
-        close_all(child)
-    for owned in (getattr(widget, "layout", None), getattr(widget, "style", None)):
-        if isinstance(owned, w.Widget):
-            owned.close()
-    w.Widget.close(widget)
 
 
 # -- one answer box for each kind ------------------------------------------------------------------
@@ -373,8 +365,7 @@ class GoalBox(Box):
         if self._met and not was:
             self.submit(self.slate.value)
         elif not self._met:
-            verdict = self._task.judged(self.slate.result)
-            self._say(verdict if verdict.slip else None)
+            self._say(recognised(self._task.slips, self.slate.result))
         self._save_later()
 
     def _save_later(self) -> None:

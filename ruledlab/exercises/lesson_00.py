@@ -25,6 +25,7 @@ from .core import (
     Number,
     Option,
 )
+from .tex import angle
 
 __all__ = ["EXERCISES"]
 
@@ -331,16 +332,12 @@ def ends(draw: Draw) -> Drag:
             "At its two ends a Bézier curve runs through its first and its last control point.",
             r"A horizontal direction lies on the equator, $v=\tfrac\pi2$; $u$ is the angle from "
             "the $x$-axis.",
-            rf"$\mathbf p_0$ belongs to $u={_tex(u)},\ v=\tfrac\pi2$, and the last point to "
-            rf"$u={_tex(end)},\ v=\tfrac\pi2$.",
+            rf"$\mathbf p_0$ belongs to $u={angle(u)},\ v=\tfrac\pi2$, and the last point to "
+            rf"$u={angle(end)},\ v=\tfrac\pi2$.",
         ),
-        solution=rf"The first point at $(u,v)=({_tex(u)},\tfrac\pi2)$, the last at "
-        rf"$({_tex(end)},\tfrac\pi2)$. The chart shows one such curve now.",
+        solution=rf"The first point at $(u,v)=({angle(u)},\tfrac\pi2)$, the last at "
+        rf"$({angle(end)},\tfrac\pi2)$. The chart shows one such curve now.",
     )
-
-
-def _tex(u: float) -> str:
-    return {0.0: "0", math.pi / 2: r"\tfrac\pi2", math.pi: r"\pi"}[u]
 
 
 def _equator(u: float) -> Array:

@@ -10,17 +10,12 @@ from ..geometry import Dual, function
 from ..geometry.checks import Array
 from . import misconceptions as known
 from .core import Choose, Code, Draw, Exercise, FindSlip, Formula, Line, Number, Option, Sketch
+from .tex import dual
 
 __all__ = ["EXERCISES"]
 
 PAIR = "Give real and dual part, such as [2, -5], or write 2 - 5 eps."
 BOX = ((-2.0, 2.0), (-2.0, 2.0))
-
-
-def dual(real: float, part: float) -> str:
-    """Return a + ε ā in TeX."""
-    size = "" if abs(part) == 1 else f"{abs(part):g}"
-    return rf"{real:g}{'-' if part < 0 else '+'}{size}\varepsilon"
 
 
 # -- numbers ---------------------------------------------------------------------------------------

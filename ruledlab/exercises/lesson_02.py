@@ -34,11 +34,6 @@ UNSIGNED = "distance unsigned"
 PARALLEL = "d from sin θ = 0"
 
 
-def _tex(vector: Array) -> str:
-    """Return a vector for TeX: (0.6, 0.8, 0)."""
-    return "(" + ",\\,".join(f"{entry + 0.0:g}" for entry in np.round(vector, 6)) + ")"
-
-
 def _turned(vector: tuple[float, float, float], steps: int) -> Array:
     """Return the vector with its entries moved round: another axis, the same orientation."""
     return np.roll(np.array(vector, dtype=float), steps)
@@ -54,7 +49,7 @@ def through(draw: Draw) -> Number:
     q = p + 5 * x
     value = np.array(Line.through(p, q).moment)
     return Number(
-        question=rf"A line runs from $\mathbf p={_tex(p)}$ to $\mathbf q={_tex(q)}$. "
+        question=rf"A line runs from $\mathbf p={tex.vector(p)}$ to $\mathbf q={tex.vector(q)}$. "
         r"Which moment $\bar{\mathbf x}$ has it? Three numbers.",
         answer=value,
         label="x̄ =",
@@ -84,10 +79,10 @@ def through(draw: Draw) -> Number:
         hints=(
             r"First the direction: $\mathbf x=(\mathbf q-\mathbf p)/\|\mathbf q-\mathbf p\|$.",
             r"$\bar{\mathbf x}=\mathbf c\times\mathbf x$ with any point $\mathbf c$ of the line.",
-            rf"$\mathbf x={_tex(x)}$, and $\mathbf c=\mathbf p$ will do.",
+            rf"$\mathbf x={tex.vector(x)}$, and $\mathbf c=\mathbf p$ will do.",
         ),
-        solution=rf"$\mathbf x={_tex(x)}$ and $\bar{{\mathbf x}}=\mathbf p\times\mathbf x="
-        rf"{_tex(value)}$.",
+        solution=rf"$\mathbf x={tex.vector(x)}$ and $\bar{{\mathbf x}}=\mathbf p\times\mathbf x="
+        rf"{tex.vector(value)}$.",
     )
 
 
@@ -140,7 +135,7 @@ def is_line(draw: Draw) -> Choose:
     wrong_moment = size * _turned((4, 3, 0), turn) + 5 * up
 
     def pair(direction: Array, moment: Array) -> str:
-        return rf"$\mathbf x={_tex(direction)},\ \ \bar{{\mathbf x}}={_tex(moment)}$"
+        return rf"$\mathbf x={tex.vector(direction)},\ \ \bar{{\mathbf x}}={tex.vector(moment)}$"
 
     options = (
         Option(
@@ -234,8 +229,8 @@ def angle(draw: Draw) -> Code:
     found = dual_angle(Line.from_point_direction(c, x), Line.from_point_direction(e, y))
     theta, d = float(found.real), float(found.dual)
     return Code(
-        question=rf"Line A passes through ${_tex(c)}$ along ${_tex(x)}$, line B through "
-        rf"${_tex(e)}$ along ${_tex(y)}$. Compute their dual angle. "
+        question=rf"Line A passes through ${tex.vector(c)}$ along ${tex.vector(x)}$, line B "
+        rf"through ${tex.vector(e)}$ along ${tex.vector(y)}$. Compute their dual angle. "
         r"Give $[\theta, d]$ or the dual number.",
         starter="from ruledlab import Line\nfrom ruledlab.geometry import dual_angle\n\n"
         "value = ...",
@@ -672,7 +667,7 @@ def one_moment(draw: Draw) -> Place:
         ),
         solution=rf"One such pair is shown now: B lies in the plane ${plane}$ too, with "
         rf"$u={tex.angle(b.u)}$, $v={tex.angle(b.v)}$, and its foot point is "
-        rf"$\mathbf y\times\bar{{\mathbf x}}={_tex(b.line.foot.round(3))}$.",
+        rf"$\mathbf y\times\bar{{\mathbf x}}={tex.vector(b.line.foot.round(3))}$.",
     )
 
 
@@ -690,7 +685,7 @@ def _moment_off(pair: Pair, sign: int = 1) -> float:
 
 
 def _same_moment(pair: Pair) -> Condition:
-    mine, wanted = (_tex(line.moment.round(2)) for line in (pair.b, pair.a))
+    mine, wanted = (tex.vector(line.moment.round(2)) for line in (pair.b, pair.a))
     said = rf"now $\bar{{\mathbf y}}={mine}$, $\bar{{\mathbf x}}={wanted}$"
     text = r"moments $\bar{\mathbf y}=\bar{\mathbf x}$"
     return Condition(text, _moment_off(pair), SAME, "length", said)

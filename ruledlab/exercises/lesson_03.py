@@ -27,7 +27,7 @@ from .core import (
     Option,
     Sketch,
 )
-from .designs import at_least, values
+from .designs import at_least
 from .tex import times
 
 __all__ = ["EXERCISES"]
@@ -364,7 +364,7 @@ def unrolled(draw: Draw) -> Drag:
         slips=(
             Misconception(
                 "a cone",
-                lambda made: _sizes(made)[0] <= 0.02 and _sizes(made)[1] < 0.5,
+                _is_cone,
                 "A cone is developable, but its striction curve is one point, the apex. Let the "
                 "rulings climb, and give them a distance from the axis that makes up for it.",
                 start.with_(ubar="1"),
@@ -383,12 +383,17 @@ def unrolled(draw: Draw) -> Drag:
 
 def _sizes(made: Made) -> tuple[float, float]:
     """Return the largest |δ| and the length of the striction curve."""
-    delta = np.abs(values(made, "delta"))
-    largest = float(delta.max()) if delta.size else math.nan
     t = np.linspace(*made.surface.domain, 201)
     found = made.surface.invariants(t)
+    delta = np.abs(found.delta[np.isfinite(found.delta)])
+    largest = float(delta.max()) if delta.size else math.nan
     speed = np.nan_to_num(np.hypot(found.kappa_bar, found.tau_bar))
     return largest, float(np.trapezoid(speed, t))
+
+
+def _is_cone(made: Made) -> bool:
+    largest, length = _sizes(made)
+    return largest <= 0.02 and length < 0.5
 
 
 def _unrolled(made: Made) -> tuple[Condition, ...]:

@@ -9,7 +9,6 @@ import numpy as np
 
 from ..design import Design
 from ..geometry.checks import Array
-from ..geometry.curve import Bezier
 from ..geometry.gallery import LOOP
 from ..geometry.surface import RuledSurface
 from . import misconceptions as known
@@ -39,7 +38,7 @@ EIGHTH = math.pi / 8
 
 def _example_2(scale: float = 1.0) -> RuledSurface:
     """Return Example 2 with its ū and v̄ multiplied by a number."""
-    return RuledSurface(Bezier(np.array(LOOP)), f"{scale:g}*(u - v)", f"{scale:g}*(u + v)")
+    return EXAMPLE_2.with_(ubar=f"{scale:g}*(u - v)", vbar=f"{scale:g}*(u + v)").surface()
 
 
 # -- choose ----------------------------------------------------------------------------------------

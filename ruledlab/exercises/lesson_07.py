@@ -227,9 +227,9 @@ def directions(draw: Draw) -> Sketch:
     def delta(t: Array) -> Array:
         return np.asarray(first * np.cos(t) ** 2 + second * np.sin(t) ** 2)
 
-    ubar = "-u" if first == -1 else f"{times(first)}u"
+    ubar = f"{times(first)}u"
     height = r"v-\tfrac\pi2"
-    vbar = height if second == 1 else f"{'-' if second == -1 else int(second)}({height})"
+    vbar = height if second == 1 else f"{times(second)}({height})"
     return Sketch(
         question=rf"For $\bar u={ubar}$, $\bar v={vbar}$ take the line at $u=0$, $v=\tfrac\pi2$. "
         r"Curves leave this place in all directions: let $t$ be the angle of the curve to the "

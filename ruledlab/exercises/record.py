@@ -17,8 +17,6 @@ from ..geometry.checks import GeometryError
 from .answers import read_numbers
 from .core import UNREAD, Choose, Drag, FindSlip, Formula, Place, Sketch, Task, Verdict, find
 from .kinds.choose import whole
-from .kinds.drag import design_of
-from .kinds.place import lines_of
 from .store import Store, the_store
 
 __all__ = [
@@ -134,9 +132,9 @@ def kept(task: Task, answer: Any) -> Any:
     """Return an answer as JSON can hold it and the task can judge it again."""
     match task:
         case Drag():
-            return design_of(answer).to_text()
+            return task.value_of(answer).to_text()
         case Place():
-            return lines_of(answer).numbers
+            return task.value_of(answer).numbers
         case FindSlip():
             return _kept_parts(task, answer)
         case Choose():

@@ -271,6 +271,12 @@ def state_of(record: Mapping[str, Any]) -> tuple[str, str]:
     return "new", ""
 
 
+def _known(store: Store, key: str) -> dict[str, Any]:
+    """Return what is known of an exercise with the present values."""
+    record = store.record(key)
+    return record if record.get("seed") == store.seed else {}
+
+
 # -- a whole lesson --------------------------------------------------------------------------------
 
 
@@ -307,8 +313,7 @@ class Lesson(w.VBox):  # type: ignore[misc]
         return button
 
     def _state(self, key: str) -> str:
-        record = self._store.record(key)
-        return state_of(record if record.get("seed") == self._store.seed else {})[0]
+        return state_of(_known(self._store, key))[0]
 
     def turn_to(self, key: str) -> None:
         """Open an exercise; what was begun in others stays."""
@@ -423,8 +428,7 @@ def progress_html(store: Store) -> str:
 
 def _lesson_row(number: str, store: Store) -> str:
     found = lesson(number)
-    records = [store.record(exercise.key) for exercise in found]
-    records = [r if r.get("seed") == store.seed else {} for r in records]
+    records = [_known(store, exercise.key) for exercise in found]
     states = [state_of(record) for record in records]
     marks = {"right": "✓", "seen": "–", "tried": "…", "new": "·"}
     dots = "".join(

@@ -142,8 +142,13 @@ class Congruence:
         It is M₁₂ − M₂₁. Its flux through a loop is ∮τ̄ dt, minus the pitch of the loop's surface;
         it vanishes exactly where the lines are the normals of a surface.
         """
-        m = self.matrix(u, v)
-        return np.asarray(m[..., 0, 1] - m[..., 1, 0])
+        u, v = _angles(u, v)
+        one = np.ones_like(u)
+        with np.errstate(all="ignore"):
+            ubar_u = _slope(self._ubar(Series([u, one]), v), u)
+            vbar_v = _slope(self._vbar(u, Series([v, one])), v)
+            found = vbar_v - (-ubar_u - _value(self._vbar, u, v) * np.cos(v) / _sine(v))
+        return np.where(np.isfinite(found), found, np.nan)
 
     def parameters(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
         """Return (…, 2) the least and the greatest δ of the surfaces of this congruence there.
@@ -205,9 +210,12 @@ def _value(chosen: Field, u: Array, v: Array) -> Array:
 def _slopes(chosen: Field, u: Array, v: Array) -> tuple[Array, Array]:
     """Return both partial derivatives; series, unlike dual numbers, divide by zero silently."""
     one = np.ones_like(u)
-    results = chosen(Series([u, one]), v), chosen(u, Series([v, one]))
-    by_u, by_v = (r.coefficients[1] if isinstance(r, Series) else np.zeros_like(u) for r in results)
-    return by_u, by_v
+    return _slope(chosen(Series([u, one]), v), u), _slope(chosen(u, Series([v, one])), v)
+
+
+def _slope(result: Any, places: Array) -> Array:
+    """Return the derivative in what a field gave for a series; a constant has none."""
+    return result.coefficients[1] if isinstance(result, Series) else np.zeros_like(places)
 
 
 def _around(middle: Array, away: Array) -> Array:

@@ -17,7 +17,7 @@ import numpy as np
 from .checks import GeometryError
 from .dual import Dual
 from .field import Field, field
-from .formula import FormulaError
+from .formula import FormulaError, Source
 
 __all__ = ["Function", "Lifted", "function"]
 
@@ -143,8 +143,9 @@ def function(text: str, name: str = "formula") -> Function:
             "write for example 'x**2'"
         )
     if other := _OTHER.search(text):
-        said = f"'{other[0]}' is not the variable, at column {other.start() + 1}; write x"
-        raise FormulaError(name, text, other.start(), said)
+        raise Source(name, text).error(
+            other.start(), f"'{other[0]}' is not the variable,", "write x"
+        )
     try:
         # One letter for another: every column stays where it is.
         read = field(_X.sub("u", text), name)

@@ -70,16 +70,16 @@ class SpecialRulings:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Known:
-    """κ² and κκ̄ with three derivatives at places in their order.
+    """κ² and κκ̄ with two derivatives at places in their order.
 
     Attributes
     ----------
     t
         (N,) the places.
     values
-        (2, 4, N) the functions and their derivatives.
+        (2, 3, N) the functions and their derivatives.
     noise
-        (2, 4, N) what rounding may make of them.
+        (2, 3, N) what rounding may make of them.
     zero
         (2, N) what counts as 0 for the functions themselves.
     """
@@ -157,7 +157,7 @@ def _values(jet: Jet) -> Array:
 
 
 def _known(moving: MovingLine, t: Array) -> _Known:
-    jet = moving.jet(t, 4)
+    jet = moving.jet(t, 3)
     lengths = np.linalg.norm(jet.rows, axis=2, keepdims=True)
     kappa, moment, rate = lengths[1, 0, 0], lengths[0, 1, 0], lengths[1, 1, 0]
     resting = np.broadcast_to((CYLINDRICAL * np.asarray(jet.scale)) ** 2, kappa.shape)

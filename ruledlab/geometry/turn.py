@@ -295,11 +295,7 @@ def _flux(surface: RuledSurface, base: float) -> tuple[float, float]:
 def _density(surface: RuledSurface, u: Array, v: Array) -> Array:
     """Return the divergence times sin v: the flux per unit of u and v."""
     with np.errstate(all="ignore"):
-        return np.asarray(_divergence(surface, u, v) * np.sin(v))
-
-
-def _divergence(surface: RuledSurface, u: Array, v: Array) -> Array:
-    return Congruence(surface.ubar, surface.vbar).divergence(u, v)
+        return np.asarray(Congruence(surface.ubar, surface.vbar).divergence(u, v) * np.sin(v))
 
 
 def _corner(surface: RuledSurface) -> float:
@@ -327,10 +323,10 @@ def _border(surface: RuledSurface, ends: Array, base: float) -> float:
         def form(s: Array, start: Array = start, step: Array = step) -> Array:
             u, v = start[:, np.newaxis] + s * step[:, np.newaxis]
             value = np.sin(v) * (surface.ubar(u, v) * step[1] - surface.vbar(u, v) * step[0])
-            return np.asarray(value)[np.newaxis]
+            return np.asarray(value)
 
         if step.any():
-            total -= float(integrate(form, 0.0, 1.0, "the flux's border")[0])
+            total -= float(integrate(form, 0.0, 1.0, "the flux's border"))
     return total
 
 

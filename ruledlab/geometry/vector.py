@@ -14,7 +14,7 @@ from typing import Any
 from .checks import GeometryError, finite_array
 from .field import Field
 from .field import field as formula
-from .formula import FormulaError
+from .formula import FormulaError, Source
 
 __all__ = ["Vector", "vector"]
 
@@ -128,7 +128,7 @@ def _component(text: str, start: int, end: int, name: str) -> Field:
 
 
 def _error(name: str, text: str, place: int, what: str) -> FormulaError:
-    return FormulaError(name, text, place, f"{what} at column {place + 1}; write a formula in t")
+    return Source(name, text).error(place, what, "write a formula in t")
 
 
 def _renamed(message: str) -> str:

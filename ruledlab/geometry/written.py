@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import NoReturn
 
 from .checks import GeometryError
-from .formula import FormulaError
+from .formula import CONSTANTS, FormulaError, Source
 
 __all__ = ["Written", "in_formula_notation", "tidied", "without_label"]
 
@@ -28,7 +28,6 @@ _SIGNS = {
     **dict.fromkeys("\u200b\u200c\u200d\u2060\ufeff", " "),
 }
 _RAISED = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-", strict=True))
-_CONSTANTS = ("pi", "π", "e")
 
 _TOKEN = re.compile(
     r"""(?P<space>\s+)
@@ -223,8 +222,7 @@ class _Writer:
         self.pieces.append((piece, token.place))
 
     def _fail(self, token: _Token, what: str, remedy: str) -> NoReturn:
-        said = f"{what} at column {token.place + 1}; {remedy}"
-        raise FormulaError("answer", self.text, token.place, said)
+        raise Source("answer", self.text).error(token.place, what, remedy)
 
     # -- operands ------------------------------------------------------------------------------
 
@@ -243,7 +241,7 @@ class _Writer:
             return True
         if token.text.startswith("_") or token.text in ("j", "J"):
             return True
-        return self.ends == "constant" and token.text in _CONSTANTS
+        return self.ends == "constant" and token.text in CONSTANTS
 
     def _require_one_reading(self, token: _Token) -> None:
         """Refuse 1/2t and e^2t; 1/2 t and t^2(1 - t) can be read in one way only."""
@@ -280,7 +278,7 @@ class _Writer:
         name = token.text
         if name in self.variables:
             self._variable(token)
-        elif name in _CONSTANTS:
+        elif name in CONSTANTS:
             self._operand(token)
             self._put(name, token)
             self.ends = "constant"

@@ -135,7 +135,7 @@ def around(surface: RuledSurface, integrand: Callable[[Array], Array], what: str
             f"`surface` must close as a moving oriented line for {what}; this one: {state.reason}; "
             "take a closed design such as gallery.surface('example_2')"
         )
-    return np.asarray(integrate(lambda t: integrand(t)[np.newaxis], *surface.domain, what)[0])
+    return np.asarray(integrate(integrand, *surface.domain, what))
 
 
 def control_points(surface: RuledSurface) -> Array:

@@ -13,7 +13,7 @@ from ...geometry.surface import RuledSurface
 from ..answers import is_open
 from .goal import Goal
 
-__all__ = ["Drag", "Made", "design_of", "made"]
+__all__ = ["Drag", "Made", "made"]
 
 
 class Made(Protocol):
@@ -73,32 +73,29 @@ class Drag(Goal[Design, Made]):
     plots: tuple[str, ...] = ()
 
     def value_of(self, answer: Any) -> Design:
-        """Return the design in an answer: a `Design`, its JSON or text, or what has a design."""
-        return design_of(answer)
+        """Return the design in an answer: a `Design`, its JSON or short text, or what has one.
+
+        Raises
+        ------
+        GeometryError
+            if there is none.
+        """
+        if is_open(answer):
+            raise GeometryError("nothing is answered yet; give a design, such as lab.design")
+        if isinstance(answer, str):
+            as_json = answer.lstrip().startswith("{")
+            return Design.from_json(answer) if as_json else Design.from_text(answer)
+        design = getattr(answer, "design", answer)
+        if isinstance(design, Design):
+            return design
+        kind = type(answer).__name__
+        raise GeometryError(
+            f"this is an object of the type {kind}; give a design, such as lab.design"
+        )
 
     def read(self, answer: Any) -> Made:
         """Return what follows from the design in an answer, which may be a `Made` itself."""
         if all(hasattr(answer, name) for name in ("design", "surface", "closure", "pitch")):
             result: Made = answer
             return result
-        return made(design_of(answer))
-
-
-def design_of(answer: Any) -> Design:
-    """Return the design in an answer: a `Design`, its JSON or short text, or what has a design.
-
-    Raises
-    ------
-    GeometryError
-        if there is none.
-    """
-    if is_open(answer):
-        raise GeometryError("nothing is answered yet; give a design, such as lab.design")
-    if isinstance(answer, str):
-        as_json = answer.lstrip().startswith("{")
-        return Design.from_json(answer) if as_json else Design.from_text(answer)
-    design = getattr(answer, "design", answer)
-    if isinstance(design, Design):
-        return design
-    kind = type(answer).__name__
-    raise GeometryError(f"this is an object of the type {kind}; give a design, such as lab.design")
+        return made(self.value_of(answer))

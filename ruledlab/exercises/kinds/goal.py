@@ -91,10 +91,6 @@ class Goal(Task, Generic[Value, Result]):
             result = self.read(answer)
         except GeometryError as error:
             return unread(error)
-        return self.judged(result)
-
-    def judged(self, result: Result) -> Verdict:
-        """Judge what follows from a value."""
         conditions = self.conditions(result)
         if all(condition.met for condition in conditions):
             return Verdict(RIGHT, self.because)

@@ -227,7 +227,3 @@ class Code(Number):
     def right_answer(self) -> Any:
         """Return a value that is right."""
         return super().right_answer() if self.test is None else self.model
-
-    def wrong_answer(self) -> Any:
-        """Return a number that is wrong."""
-        return super().wrong_answer()

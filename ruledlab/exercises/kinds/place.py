@@ -10,7 +10,7 @@ from ...pair import Pair, TwoLines, between
 from ..answers import is_open
 from .goal import Goal
 
-__all__ = ["Place", "lines_of"]
+__all__ = ["Place"]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -20,22 +20,17 @@ class Place(Goal[TwoLines, Pair]):
     kind: ClassVar[str] = "place"
 
     def value_of(self, answer: Any) -> TwoLines:
-        """Return the two lines in an answer: `TwoLines`, or their numbers."""
-        return lines_of(answer)
+        """Return the two lines in an answer: `TwoLines`, or [[u, v, x, y, z], [u, v, x, y, z]].
+
+        Raises
+        ------
+        GeometryError
+            if there are none, or a number is beyond the reach of the sliders.
+        """
+        if is_open(answer):
+            raise GeometryError("nothing is answered yet; give two lines, such as app.slate.value")
+        return TwoLines.from_numbers(answer.numbers if isinstance(answer, TwoLines) else answer)
 
     def read(self, answer: Any) -> Pair:
         """Return what follows from the two lines in an answer."""
-        return between(lines_of(answer))
-
-
-def lines_of(answer: Any) -> TwoLines:
-    """Return the two lines in an answer: `TwoLines`, or [[u, v, x, y, z], [u, v, x, y, z]].
-
-    Raises
-    ------
-    GeometryError
-        if there are none, or a number is beyond the reach of the sliders.
-    """
-    if is_open(answer):
-        raise GeometryError("nothing is answered yet; give two lines, such as app.slate.value")
-    return TwoLines.from_numbers(answer.numbers if isinstance(answer, TwoLines) else answer)
+        return between(self.value_of(answer))

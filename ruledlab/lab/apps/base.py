@@ -20,7 +20,7 @@ from ..slate import Change, Slate
 from ..state import Lab
 from ..view3d import SurfaceView
 
-__all__ = ["App", "LabApp", "Page", "connect"]
+__all__ = ["App", "LabApp", "Page", "close_all", "connect"]
 
 _STATIC: Final = pathlib.Path(__file__).parent.parent / "static"
 _STYLE: Final = (_STATIC / "studio.css").read_text(encoding="utf-8")
@@ -109,7 +109,7 @@ class App(w.VBox):
             group.release()
         for view in self._views:
             view.close()
-        _close_all(self)
+        close_all(self)
 
     def __del__(self) -> None:
         """Do nothing: the widget's own way is to close, which fails while Python shuts down."""
@@ -176,9 +176,10 @@ def _ask(request: PadRequest, pad: DomainPad, points: PointControl) -> None:
         pad.draw(lab.result.scene, chosen=lab.chosen, closing=lab.design.closing)
 
 
-def _close_all(widget: Any) -> None:
+def close_all(widget: Any) -> None:
+    """Close a widget and all that it is made of."""
     for child in getattr(widget, "children", ()):
-        _close_all(child)
+        close_all(child)
     for owned in (getattr(widget, "layout", None), getattr(widget, "style", None)):
         if isinstance(owned, w.Widget):
             owned.close()
